@@ -88,11 +88,10 @@ class Examination:
     def result(self, check: str) -> CheckResult:
         """Return the result of a check; it runs on first request."""
         if check not in self._results:
-            skipped = CheckResult(check, skipped=self._why_not(check))
+            why_not = self._why_not(check)
             with progress(f"check {check}"):
-                self._results[check] = (
-                    skipped if skipped.skipped else guarded(check, lambda: self._run(check))
-                )
+                skipped = CheckResult(check, skipped=why_not)
+                self._results[check] = skipped if why_not else guarded(check, lambda: self._run(check))
         return self._results[check]
 
     def _why_not(self, check: str) -> str:

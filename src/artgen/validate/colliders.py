@@ -9,7 +9,6 @@ from typing import Any
 
 import numpy as np
 from manifold3d import Manifold, OpType
-from scipy.spatial import ConvexHull, QhullError
 
 from artgen._arrays import Array, distinct_rows
 from artgen.asset import Asset, Link
@@ -32,11 +31,9 @@ from artgen.colliders.triangles import hull_of
 from artgen.errors import ArtgenError, AssetError
 from artgen.export.mjcf import write_mjcf
 from artgen.proof.fewer import fewer_colliders
+from artgen.validate.readback.reading import MOST_VERTICES, dent
 
 CHECK = "colliders"
-
-MOST_VERTICES = 64
-"""Most vertices of a hull; a common limit of GPU simulators."""
 
 STICKS_OUT = 0.05e-3
 """Largest distance of a solid outside its colliders [m]."""
@@ -103,9 +100,7 @@ def check_colliders(asset: Asset) -> CheckResult:
     for link in asset.links:
         found = list(_piece_findings(link))
         findings += found
-        if found:
-            continue
-        if link.absent:
+        if found or link.absent:
             continue
         try:
             solid = _solid_of(link)
@@ -177,14 +172,12 @@ def _hull_fault(name: str, points: Array) -> tuple[str, float | None]:
     """Return the fault of the points of a hull and its number; an empty text if there is none."""
     if not 4 <= len(points) <= MOST_VERTICES:
         return f"{name} has {len(points)} vertices; 4 to {MOST_VERTICES} are taken", float(len(points))
-    try:
-        hull = ConvexHull(points)
-    except QhullError:
+    depth = dent(points)
+    if depth is None:
         return f"{name} is flat: its vertices lie in one plane", 0.0
-    depth = -(hull.equations[:, :3] @ points.T + hull.equations[:, 3:]).max(axis=0)
-    if depth.max() > _INSIDE:
-        inside = f"{1e3 * depth.max():.4g} mm inside the hull of the others"
-        return f"{name} is not convex: a vertex lies {inside}", float(depth.max())
+    if depth > _INSIDE:
+        inside = f"{1e3 * depth:.4g} mm inside the hull of the others"
+        return f"{name} is not convex: a vertex lies {inside}", depth
     return "", None
 
 

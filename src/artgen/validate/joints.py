@@ -5,15 +5,28 @@ from collections.abc import Collection, Iterable, Iterator, Mapping
 from itertools import product
 from typing import Literal
 
-from artgen.asset import Asset, AssetCondition, AssetJoint
-from artgen.export.frames import BORDER, POINT, intersection, leader_of, regions
+from artgen.asset import Asset, AssetCondition, AssetCoupling, AssetJoint
+from artgen.export.frames import BORDER, POINT, coupling, intersection, leader_of, regions
 
 _OPEN_TRAVEL = 0.5  # distance of a chosen position from the border of an unbounded region [rad or m]
 
 
-def unit(joint: AssetJoint) -> str:
-    """Return the unit of a joint's positions."""
-    return "rad" if joint.kind == "revolute" else "m"
+# of a revolute and of a prismatic joint
+_UNITS = {
+    "position": ("rad", "m"),
+    "stiffness": ("N m/rad", "N/m"),
+    "damping": ("N m s/rad", "N s/m"),
+    "friction": ("N m", "N"),
+    "rest": ("rad", "m"),
+    "armature": ("kg m^2", "kg"),
+    "effort": ("N m", "N"),
+    "velocity": ("rad/s", "m/s"),
+}
+
+
+def unit(joint: AssetJoint, quantity: str = "position") -> str:
+    """Return the unit of a joint's positions, or of a number in `artgen.asset.joint.DYNAMICS`."""
+    return _UNITS[quantity][joint.kind == "prismatic"]
 
 
 def length(joint: AssetJoint, distance: float) -> str:
@@ -30,12 +43,7 @@ def place(joint: AssetJoint, position: float) -> str:
 
 def force(joint: AssetJoint, amount: float) -> str:
     """Format a torque or a force at a joint."""
-    return f"{amount + 0.0:.3g} {force_unit(joint)}"
-
-
-def force_unit(joint: AssetJoint) -> str:
-    """Return the unit of a torque or a force at a joint."""
-    return "N m" if joint.kind == "revolute" else "N"
+    return f"{amount + 0.0:.3g} {unit(joint, 'effort')}"
 
 
 def needed_conditions(asset: Asset, joint: str) -> list[AssetCondition]:
@@ -45,6 +53,13 @@ def needed_conditions(asset: Asset, joint: str) -> list[AssetCondition]:
         for each in asset.joints
         if each.needs is not None and leader_of(asset, each)[0] == joint
     ]
+
+
+def led_by(asset: Asset, joint: AssetJoint) -> list[tuple[AssetJoint, AssetCoupling]]:
+    """Return a free joint and those that follow it, each with its law."""
+    laws = ((each, coupling(asset, each)) for each in asset.joints)
+    followers = ((each, law) for each, law in laws if law is not None and law.leader == joint.name)
+    return [(joint, AssetCoupling(joint.name, 1.0)), *followers]
 
 
 def is_possible(asset: Asset, condition: AssetCondition, ranges: Mapping[str, tuple[float, float]]) -> bool:

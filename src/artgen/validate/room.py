@@ -2,13 +2,11 @@
 
 import math
 from collections.abc import Iterator, Mapping
-from typing import Any
 
 import numpy as np
 
-from artgen._arrays import Array
 from artgen.asset import Asset
-from artgen.asset.report import CheckResult, Finding
+from artgen.asset.report import CheckResult, Finding, Severity
 from artgen.proof.overlap import link_overlap
 from artgen.proof.paths import space_of
 from artgen.validate.hands.motion import MOST_FORCE, hand_forces
@@ -65,14 +63,16 @@ def overlaps(asset: Asset, count: int) -> Iterator[Finding]:
     paths = space_of(asset).joint_paths()
     names = list(asset.links.by_name)
     ends = np.array([[names.index(link) for link in path.links] for path in paths]).reshape(-1, 2)
-    boxes = np.array([link.bounds() for link in asset.links])
-    corners = np.array([[[box[i, 0], box[j, 1], box[k, 2]] for i in (0, 1) for j in (0, 1) for k in (0, 1)]
-                        for box in boxes])  # fmt: skip
+    corners = np.array(
+        [np.stack(np.meshgrid(*link.bounds().T), axis=-1).reshape(-1, 3) for link in asset.links]
+    )
     found: set[tuple[str, str]] = set()
     for row in asset.sample_states(count):
         q = dict(zip(asset.dof_names, row.tolist(), strict=True))
         positions, poses = asset.positions(q), asset.pose(q)
-        low, high = _boxes_at(corners, np.array([poses[name] for name in names]))
+        placed = np.array([poses[name] for name in names])
+        moved = np.einsum("nij,nkj->nki", placed[:, :3, :3], corners) + placed[:, None, :3, 3]
+        low, high = moved.min(axis=1), moved.max(axis=1)
         first, second = ends.T
         near = (low[first] < high[second]).all(axis=1) & (high[first] > low[second]).all(axis=1)
         for path in (paths[number] for number in np.flatnonzero(near)):
@@ -93,12 +93,6 @@ def overlaps(asset: Asset, count: int) -> Iterator[Finding]:
                 )
 
 
-def _boxes_at(corners: Array, poses: Array) -> tuple[Array, Array]:
-    """Return the low and high corners of boxes at poses, shape (n, 3) each [m]."""
-    moved = np.einsum("nij,nkj->nki", poses[:, :3, :3], corners) + poses[:, None, :3, 3]
-    return moved.min(axis=1), moved.max(axis=1)
-
-
 def motions_at_rest(asset: Asset) -> Iterator[Finding]:
     """Yield the free bodies and joints that move while a room is simulated for 3 s, after 1 s to settle.
 
@@ -108,32 +102,20 @@ def motions_at_rest(asset: Asset) -> Iterator[Finding]:
 
     model = asset.to_mjspec(textures=0).compile()
     data = mujoco.MjData(model)
-    _advance(mujoco, model, data, SETTLE_TIME)
+    mujoco.mj_step(model, data, nstep=round(SETTLE_TIME / model.opt.timestep))
     bodies = {name: data.body(name).xpos for name in asset.loose}
     joints = {joint.name: data.joint(joint.name).qpos for joint in asset.joints if not joint.locked}
     start = {name: value.copy() for name, value in (bodies | joints).items()}
     most = dict.fromkeys(start, 0.0)
     for _ in range(math.ceil(WATCH_TIME / (_STEPS * model.opt.timestep))):
-        _advance(mujoco, model, data, _STEPS * model.opt.timestep)
+        mujoco.mj_step(model, data, nstep=_STEPS)
         for name, value in (bodies | joints).items():
             most[name] = max(most[name], float(np.abs(value - start[name]).max()))
-    yield from _moved(asset, most)
-
-
-def _advance(mujoco: Any, model: Any, data: Any, seconds: float) -> None:
-    for _ in range(round(seconds / model.opt.timestep)):
-        mujoco.mj_step(model, data)
-
-
-def _moved(asset: Asset, most: Mapping[str, float]) -> Iterator[Finding]:
-    """Yield a fault for each body or joint that moves too far; `most` has their motions [m or rad]."""
     for name in asset.loose:
         if not most[name] <= MOST_WAY:
             message = f"moves by {1e3 * most[name]:.3g} mm in {WATCH_TIME:g} s, though nothing pushes it"
             yield Finding(CHECK, message, name, value=most[name], unit="m", hint="give it a better place")
-    for joint in asset.joints:
-        if joint.locked:
-            continue
+    for joint in map(asset.joint, joints):
         low, high = joint.limits or (-math.pi, math.pi)
         if not most[joint.name] <= MOST_SHARE * (high - low):
             message = f"moves by {length(joint, most[joint.name])} in {WATCH_TIME:g} s by itself"
@@ -145,12 +127,5 @@ def _forces(asset: Asset, forces: Mapping[str, float]) -> Iterator[Finding]:
         if most > LIGHT_FORCE:
             joint = asset.joint(name)
             message = f"needs {most:.3g} N at its handle, against {force(joint, joint.friction)} of friction"
-            yield Finding(
-                CHECK,
-                message,
-                joint.child,
-                name,
-                most,
-                "N",
-                severity="fault" if most > MOST_FORCE else "note",
-            )
+            severity: Severity = "fault" if most > MOST_FORCE else "note"
+            yield Finding(CHECK, message, joint.child, name, most, "N", severity=severity)

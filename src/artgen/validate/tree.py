@@ -17,7 +17,7 @@ from artgen.asset.manifolds import box_gaps
 from artgen.asset.report import CheckResult, Finding
 from artgen.errors import ArtgenError, nearest
 from artgen.export.frames import leader_of
-from artgen.validate.joints import force_unit, is_possible, negation, place, unit
+from artgen.validate.joints import is_possible, negation, place, unit
 from artgen.validate.solids import floating_findings
 
 CHECK = "tree"
@@ -242,13 +242,14 @@ def _spring_findings(joint: AssetJoint) -> Iterator[Finding]:
     tension = joint.stiffness * max(low - joint.rest, joint.rest - high)
     if not tension > 0.0:
         return
+    of_force = unit(joint, "effort")
     message = (
         f"its spring rests at {place(joint, joint.rest)}, beyond its limits {low:.4g} to {high:.4g}: "
-        f"{tension:.4g} {force_unit(joint)} hold it at that end"
+        f"{tension:.4g} {of_force} hold it at that end"
     )
-    finding = partial(_fault, joint=joint.name, value=tension, unit=force_unit(joint))
+    finding = partial(_fault, joint=joint.name, value=tension, unit=of_force)
     if tension > joint.effort:
-        message += f", more than its effort of {joint.effort:.4g} {force_unit(joint)}"
+        message += f", more than its effort of {joint.effort:.4g} {of_force}"
         yield finding(message, hint="bring the rest nearer to the limits, or raise the effort")
     else:
         yield finding(message, severity="note")

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 from artgen.asset import AssetCondition, AssetDependency, AssetJoint
 from artgen.asset.report import Finding
-from artgen.validate.behavior.drive import servos
+from artgen.validate.behavior.drive import servos, step_held
 from artgen.validate.behavior.model import DEPTH, JointMotion, Simulation, UnstableError, joint_finding
 from artgen.validate.joints import force, isolated, length, place, state_for
 
@@ -149,11 +149,9 @@ class _Push:
         sense = math.copysign(1.0, sign * float(self.motion.ratios[self.motion.members.index(self.joint)]))
         low, high = self.joint.limits or (-math.inf, math.inf)
         for _ in range(round(_PUSH_TIME / simulation.step_time)):
-            for servo in held:
-                servo.hold()
             grown = min(1.0, float(simulation.data.time) / _RAMP_TIME)
             simulation.applied[self.motion.dof] = sign * grown * self._force
-            simulation.step()
+            step_held(simulation, held)
             position = min(max(float(simulation.data.qpos[at]), low), high)
             furthest = max(furthest, sense * (position - start))
             depth = max(depth, simulation.depth(self.motion))

@@ -1,13 +1,13 @@
 """Check of driven joints: a bounded force moves each joint from end to end, and springs return it."""
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import replace
 
 from artgen.asset.report import Finding, Severity
 from artgen.validate.behavior.model import JointMotion, Simulation, UnstableError, joint_finding
 from artgen.validate.behavior.settle import REST_SPEED, REST_TIME, SETTLE_TIME
-from artgen.validate.joints import force, length, needed_conditions, place, state_for
+from artgen.validate.joints import force, length, needed_conditions, place, state_for, unit
 
 _TRAVEL_TIME = 1.5  # time for the whole range [s]
 _SLOWEST = 60.0  # longest time for the whole range at the velocity limit of a joint [s]
@@ -93,6 +93,13 @@ def servos(simulation: Simulation, q: Mapping[str, float]) -> list[Servo]:
     return [Servo(simulation, simulation.motions[name], position) for name, position in q.items()]
 
 
+def step_held(simulation: Simulation, held: Iterable[Servo]) -> None:
+    """Make one time step in which servos hold their joints."""
+    for servo in held:
+        servo.hold()
+    simulation.step()
+
+
 def drive(simulation: Simulation, motion: JointMotion) -> Iterator[Finding]:
     """Drive a joint from its closed position to both ends by its own effort; release it if it has springs."""
     simulation.begin({}, f"{motion.name} is closed")
@@ -145,8 +152,8 @@ def _too_light(simulation: Simulation, motion: JointMotion) -> str:
     if inertia >= needed:
         return ""
     armature = motion.joint.armature + needed - inertia
-    unit = "kg m^2" if motion.joint.kind == "revolute" else "kg"
-    return f"is too light for its spring at {1e3 * step:g} ms: armature >= {armature:.2g} {unit}"
+    least = f"{armature:.2g} {unit(motion.joint, 'armature')}"
+    return f"is too light for its spring at {1e3 * step:g} ms: armature >= {least}"
 
 
 def _travel(simulation: Simulation, motion: JointMotion, held: list[Servo], end: float) -> Finding | None:
@@ -166,10 +173,8 @@ def _travel(simulation: Simulation, motion: JointMotion, held: list[Servo], end:
             stuck += simulation.step_time
         if stuck > _STUCK_TIME:
             break
-        for other in held:
-            other.hold()
         servo.move(speed)
-        simulation.step()
+        step_held(simulation, held)
     return _travel_fault(simulation, motion, begun, end)
 
 
@@ -213,9 +218,7 @@ def _soft_closing(
         time, speed = math.inf, 0.0
         try:
             for _ in range(round((_CLOSES[1] if inside or falls else _STANDS) / simulation.step_time)):
-                for other in held:
-                    other.hold()
-                simulation.step()
+                step_held(simulation, held)
                 speed = abs(simulation.speed(motion))
                 if abs(simulation.position(motion) - joint.closed) <= _CLOSED * abs(way):
                     time = float(simulation.data.time)
@@ -229,7 +232,7 @@ def _soft_closing(
             message += f": a soft closing takes {_CLOSES[0]:g} to {_CLOSES[1]:g} s"
             hint = "its preload has to be more than friction; change its force or damping"
         elif speed > _ARRIVES[joint.kind] and math.isfinite(time):
-            message += f"it closes with {speed:.2g} {'rad/s' if joint.kind == 'revolute' else 'm/s'}"
+            message += f"it closes with {speed:.2g} {unit(joint, 'velocity')}"
             hint = "give its soft closing more damping"
         elif not inside and not falls and abs(here - start) > _BEYOND[joint.kind]:
             message += f"behind the reach of its soft closing, it moves to {place(joint, here)}"
@@ -266,9 +269,7 @@ def _swing(simulation: Simulation, motion: JointMotion, held: list[Servo]) -> fl
     """Let a joint move until it is at rest; return its motion in the last half second [rad or m]."""
     quiet, low, high = 0.0, math.inf, -math.inf
     for _ in range(round(SETTLE_TIME / simulation.step_time)):
-        for other in held:
-            other.hold()
-        simulation.step()
+        step_held(simulation, held)
         if simulation.data.time > SETTLE_TIME - 0.5:
             here = simulation.position(motion)
             low, high = min(low, here), max(high, here)

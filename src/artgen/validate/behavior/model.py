@@ -14,9 +14,9 @@ from artgen._arrays import Array, Indices, Mask, affine, cached_property
 from artgen.asset import Asset, AssetCondition, AssetCoupling, AssetJoint
 from artgen.asset.report import Finding, Severity
 from artgen.errors import AssetError
-from artgen.export.frames import coupling, quaternion
+from artgen.export.frames import quaternion
 from artgen.export.names import read_names
-from artgen.validate.joints import length, unit
+from artgen.validate.joints import led_by, length, unit
 
 
 @contextmanager
@@ -254,13 +254,10 @@ def motions_of(asset: Asset, model: Any) -> dict[str, JointMotion]:
         model.body(link.name)  # raises KeyError for a missing link
     result = {}
     for joint in asset.free_joints:
-        laws = [(other, coupling(asset, other)) for other in asset.joints]
-        led = [(other, law) for other, law in laws if law is not None and law.leader == joint.name]
-        members = (joint, *(other for other, _ in led))
-        own = (AssetCoupling(joint.name, 1.0), *(law for _, law in led))
-        ratios = np.array([law.slope(joint.closed) for law in own])
-        offsets = np.array([law.offset if law.curve is None else law.at(joint.closed) for law in own])
-        offsets -= [0.0 if law.curve is None else law.slope(joint.closed) * joint.closed for law in own]
+        members, laws = zip(*led_by(asset, joint), strict=True)
+        at = joint.closed
+        ratios = np.array([law.slope(at) for law in laws])
+        offsets = [law.offset if law.curve is None else law.at(at) - law.slope(at) * at for law in laws]
         friction, damping, springs, rests = np.array(
             [(each.friction, each.damping, each.stiffness, each.rest) for each in members]
         ).T
@@ -273,9 +270,9 @@ def motions_of(asset: Asset, model: Any) -> dict[str, JointMotion]:
         result[joint.name] = JointMotion(
             joint,
             members,
-            own,
+            laws,
             ratios,
-            offsets,
+            np.array(offsets),
             positions=np.array([each.qposadr[0] for each in found]),
             speeds=np.array([each.dofadr[0] for each in found]),
             bodies=frozenset(bodies),
@@ -331,12 +328,11 @@ class Simulation:
         # motion of each degree of freedom per motion of each free joint, and whether it belongs to the joint
         self._ratios = np.zeros((len(self.motions), model.nv))
         self._own = np.zeros(self._ratios.shape, bool)
-        for row, motion in enumerate(self.motions.values()):
-            self._ratios[row, motion.speeds], self._own[row, motion.speeds] = motion.ratios, True
         # bodies that move with each free joint, and the row of each joint
         self._moved = np.zeros((len(self.motions), model.nbody), bool)
         self._rows = {name: row for row, name in enumerate(self.motions)}
         for row, motion in enumerate(self.motions.values()):
+            self._ratios[row, motion.speeds], self._own[row, motion.speeds] = motion.ratios, True
             self._moved[row, list(motion.bodies)] = True
         # number of the asset of a room that each body belongs to
         self.owners = owners_of(asset) if asset.is_room else dict.fromkeys(asset.links.by_name, "")
@@ -424,31 +420,26 @@ class Simulation:
 
     def pulls(self) -> Array:
         """Return `load` of each free joint and what accelerations of others add, shape (n,) [N m or N]."""
-        for row, motion in enumerate(self.motions.values()):
-            if motion.bent:
-                self._ratios[row, motion.speeds] = motion.ratios_at(self.position(motion))
+        ratios = self._present_ratios()
         self._mujoco.mj_fullM(self.model, self.data, self._inertias)
-        felt = np.where(self._own, 0.0, self._ratios @ self._inertias)
-        return np.asarray(self._ratios @ (self._passive - self._bias) - felt @ self._qacc)
+        felt = np.where(self._own, 0.0, ratios @ self._inertias)
+        return np.asarray(ratios @ (self._passive - self._bias) - felt @ self._qacc)
 
     def inertia(self, motion: JointMotion) -> float:
         """Return the inertia of a free joint while all others are free [kg m^2 or kg]."""
-        columns = self._columns
+        others = np.eye(self.model.nv)[~self._own.any(axis=0)]  # degrees of freedom of no free joint
+        columns = np.column_stack([*self._present_ratios(), *others])
         self._mujoco.mj_fullM(self.model, self.data, self._inertias)
-        index = list(self.motions).index(motion.name)
+        index = self._rows[motion.name]
         alone = np.eye(columns.shape[1])[index]
         return 1.0 / float(np.linalg.solve(columns.T @ self._inertias @ columns, alone)[index])
 
-    @property
-    def _columns(self) -> Array:
-        """Motion by each free joint, and by each other degree of freedom, shape (nv, n)."""
-        moved = {int(dof) for motion in self.motions.values() for dof in motion.speeds}
-        columns = []
-        for motion in self.motions.values():
-            columns.append(np.zeros(self.model.nv))
-            columns[-1][motion.speeds] = motion.ratios_at(self.position(motion))
-        fixed = [dof for dof in range(self.model.nv) if dof not in moved]
-        return np.column_stack([*columns, *np.eye(self.model.nv)[fixed]])
+    def _present_ratios(self) -> Array:
+        """Return the motion of each degree of freedom per motion of each free joint, shape (n, nv)."""
+        for row, motion in enumerate(self.motions.values()):
+            if motion.bent:
+                self._ratios[row, motion.speeds] = motion.ratios_at(self.position(motion))
+        return self._ratios
 
     def contact(self, number: int) -> Pieces:
         """Return link and label of the two pieces of a contact; unknown labels are empty."""

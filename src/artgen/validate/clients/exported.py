@@ -19,6 +19,7 @@ from artgen.asset.joint import DYNAMICS, joints_above
 from artgen.asset.report import Finding
 from artgen.errors import ExportError
 from artgen.validate.clients.registry import Client
+from artgen.validate.joints import unit
 from artgen.validate.readback.compare import Comparison, Expected
 from artgen.validate.readback.reading import UNLIMITED, Inertial, Reading, ReadJoint, Stated
 from artgen.validate.room import MOST_SHARE, MOST_WAY, SETTLE_TIME, WATCH_TIME
@@ -247,7 +248,7 @@ def _motion(client: Client, joint: AssetJoint, span: Any, *, stuck: bool) -> Ite
     least, most = (float(end) for end in span)
     low, high = joint.limits or (-_UNLIMITED, _UNLIMITED)
     if not stuck and not most - least >= _LEAST_MOTION * (high - low):
-        force = f"{joint.effort:g} {'N m' if joint.kind == 'revolute' else 'N'}"
+        force = f"{joint.effort:g} {unit(joint, 'effort')}"
         message = f"driven by {force} it moves only from {least:.4g} to {most:.4g}"
         yield Finding(client.name, message, joint=joint.name, value=most - least)
     slack = _SOFT + _MOST_BEYOND * (high - low)

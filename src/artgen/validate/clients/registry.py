@@ -72,10 +72,10 @@ _MOVED = (*_READ, "moved", "steps", "finite")
 _MOVED_FRICTION = (*_MOVED, *_FRICTION)
 _MOVED_DAMPING = (*_MOVED, "joints.damping")
 _MOVED_SPRINGS = (*_MOVED, "joints.stiffness", "joints.damping")
-_MOVED_COUPLINGS = (*_READ, "couplings", "moved", "steps", "finite")
+_COUPLED = (*_READ, "couplings")
+_MOVED_COUPLINGS = (*_COUPLED, "moved", "steps", "finite")
 _MOVED_GAINS = (*_MOVED_COUPLINGS, *_GAINS)
-_CONVERTED = (*_READ, "couplings")
-_STEPPED = (*_READ, "couplings", "steps", *_GAINS)
+_STEPPED = (*_COUPLED, "steps", *_GAINS)
 
 # name, format, distribution, environment, driver, layouts, reports
 _TABLE: tuple[tuple[str, Format, str, str, str, tuple[str, ...], tuple[str, ...]], ...] = (
@@ -104,16 +104,8 @@ _TABLE: tuple[tuple[str, Format, str, str, str, tuple[str, ...], tuple[str, ...]
     ("omniverse_asset_validator", "usd", "omniverse-asset-validator", "light", "nvidia_usd", _SIMREADY, ()),
     ("simready_validate", "usd", "simready-validate", "light", "nvidia_usd", ("simready",), ()),
     ("gltf_validator", "glb", "", "", "gltf", _FLAT, ()),
-    (
-        "mujoco_usd_converter",
-        "mjcf",
-        "mujoco-usd-converter",
-        "usd_converters",
-        "converters",
-        _FLAT,
-        _CONVERTED,
-    ),
-    ("urdf_usd_converter", "urdf", "urdf-usd-converter", "usd_converters", "converters", _FLAT, _CONVERTED),
+    ("mujoco_usd_converter", "mjcf", "mujoco-usd-converter", "usd_converters", "converters", _FLAT, _COUPLED),
+    ("urdf_usd_converter", "urdf", "urdf-usd-converter", "usd_converters", "converters", _FLAT, _COUPLED),
 )
 
 _SINGLE = (1e-5, 1e-5)  # single precision

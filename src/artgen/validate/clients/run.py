@@ -11,10 +11,12 @@ import time
 from collections.abc import Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import suppress
-from dataclasses import asdict, dataclass, replace
+from dataclasses import dataclass, replace
+from functools import partial
 from pathlib import Path
-from typing import IO, Any, Literal
+from typing import IO, Any, ClassVar, Literal
 
+from artgen.asset.record import Record
 from artgen.asset.report import Finding, Report
 from artgen.errors import ArtgenError
 from artgen.validate.clients.exported import ClientExport, differences, read_exported
@@ -44,7 +46,7 @@ _UNREAD = ("absent", "nothing to read")
 
 
 @dataclass(frozen=True)
-class Tolerated:
+class Tolerated(Record):
     """Messages of a client that are not faults."""
 
     message: str  # first of these messages
@@ -53,8 +55,10 @@ class Tolerated:
 
 
 @dataclass(frozen=True)
-class Outcome:
+class Outcome(Record):
     """The result of a client for an export."""
+
+    FIRST: ClassVar = ("client", "format", "version", "state", "note", "seconds")
 
     client: str  # name of the client
     format: str  # format that it reads
@@ -78,16 +82,7 @@ class Outcome:
 
     def to_data(self) -> dict[str, Any]:
         """Return the outcome as JSON data."""
-        return {
-            "client": self.client,
-            "format": self.format,
-            "version": self.version,
-            "state": self.state,
-            "note": self.note,
-            "seconds": round(self.seconds, 1),
-            "findings": [finding.to_data() for finding in self.findings],
-            "tolerated": [asdict(each) for each in self.tolerated],
-        }
+        return super().to_data() | {"seconds": round(self.seconds, 1)}
 
 
 @dataclass(frozen=True)
@@ -237,10 +232,7 @@ def run_clients(directory: str | Path, clients: Sequence[Client], *, by_name: bo
     try:
         exported = read_exported(directory)
     except ArtgenError as error:
-        return [
-            Outcome(client.name, client.format, "", "failed", (Finding(client.name, str(error)),))
-            for client in clients
-        ]
+        return [_unread(client, "failed", str(error)) for client in clients]
     readers = [client for client in clients if exported.is_read_by(client)]
     outcomes = run_all(clients if by_name or not readers else readers, exported)
     none_read = all(outcome.state in _UNREAD for outcome in outcomes)
@@ -252,6 +244,10 @@ def _required(outcome: Outcome) -> Outcome:
         return outcome
     findings = tuple(replace(finding, severity="fault") for finding in outcome.findings)
     return replace(outcome, findings=findings)
+
+
+def _unread(client: Client, state: State, message: str, **options: Any) -> Outcome:
+    return Outcome(client.name, client.format, "", state, (Finding(client.name, message, **options),))
 
 
 def run_all(clients: Sequence[Client], exported: ClientExport) -> list[Outcome]:
@@ -284,8 +280,7 @@ def _nothing_to_read(client: Client, exported: ClientExport) -> Outcome:
     message = f"it reads the layouts {', '.join(client.layouts)}, not {exported.layout}"
     if client.format not in exported.mains:
         message = f"it reads {client.format}, which the export does not have"
-    finding = Finding(client.name, message, severity="note")
-    return Outcome(client.name, client.format, "", "nothing to read", (finding,))
+    return _unread(client, "nothing to read", message, severity="note")
 
 
 def _run_on(client: Client, exports: Sequence[ClientExport]) -> list[Outcome]:
@@ -299,8 +294,8 @@ def _run_on(client: Client, exports: Sequence[ClientExport]) -> list[Outcome]:
             return _run_on(client, exports[:half]) + _run_on(client, exports[half:])
         pairs = zip(exports, session.answers, strict=True)
         return [_outcome(client, exported, session, answer) for exported, answer in pairs]
-    finding = Finding(client.name, "it is not installed", hint=how_to_get(client), severity="note")
-    return [Outcome(client.name, client.format, "", "absent", (finding,)) for _ in exports]
+    absent = _unread(client, "absent", "it is not installed", hint=how_to_get(client), severity="note")
+    return [absent for _ in exports]
 
 
 @dataclass(frozen=True)
@@ -343,12 +338,11 @@ def _outcome(client: Client, exported: ClientExport, session: _Session, answer: 
     """Return the outcome of a client's answer to one request."""
     finished, messages, tolerated = session.finished, session.faults, session.tolerated
     findings: list[Finding] = []
-    version, note = "", ""
+    version, note, fault = "", "", partial(Finding, client.name)
     if finished.ending:
-        last = f": {messages[-1]}" if messages else ""
-        findings.append(Finding(client.name, f"{finished.ending}{last}"))
+        findings.append(fault(": ".join((finished.ending, *messages[-1:]))))
     elif answer is None:
-        findings.append(Finding(client.name, "it gave no answer"))
+        findings.append(fault("it gave no answer"))
     if answer is not None:
         try:
             data = json.loads(answer)
@@ -360,14 +354,14 @@ def _outcome(client: Client, exported: ClientExport, session: _Session, answer: 
             messages, tolerated = (*messages, *faults), (*tolerated, *more)
             findings += differences(client, exported, data)
         except Exception as error:  # noqa: BLE001 - a damaged answer may hold anything
-            findings.append(Finding(client.name, f"its answer is damaged: {type(error).__name__}: {error}"))
+            findings.append(fault(f"its answer is damaged: {type(error).__name__}: {error}"))
     if finished.ending:
         # the end of a traceback contains its start
         messages = tuple(text for text in messages[:-1] if not text.startswith("Traceback "))
     distinct = list(dict.fromkeys(messages))
-    findings += [Finding(client.name, f"it reports: {text}") for text in distinct[:_SHOWN]]
+    findings += [fault(f"it reports: {text}") for text in distinct[:_SHOWN]]
     if (rest := len(distinct) - _SHOWN) > 0:
-        findings.append(Finding(client.name, f"it reports {rest} more messages", value=float(rest)))
+        findings.append(fault(f"it reports {rest} more messages", value=float(rest)))
     state: State = "timed out" if finished.timed_out else "failed" if findings else "passed"
     seconds = finished.seconds / len(session.answers)
     return Outcome(client.name, client.format, version, state, tuple(findings), note, seconds, tolerated)

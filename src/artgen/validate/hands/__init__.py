@@ -85,9 +85,8 @@ def check_grasps(asset: Asset) -> CheckResult:
         findings = [replace(each, severity="note") for each in findings]
     grasps = sum(each.kind == "grasp" for each in found)
     detail = f"{grasps} grasps, {len(found) - grasps} pushes"
-    most = max(forces.values(), default=0.0)
+    name, most = max(forces.items(), key=lambda force: force[1], default=("", 0.0))
     if most >= 0.01:
-        name = next(name for name, force in forces.items() if force == most)
         detail += f"; with at most {most:.3g} N, at {name}"
     return CheckResult(CHECK, tuple(findings), detail)
 

@@ -12,12 +12,12 @@ import numpy as np
 from manifold3d import Manifold
 
 from artgen._arrays import Array
-from artgen.asset import Asset, AssetCondition, AssetCoupling, AssetJoint
+from artgen.asset import Asset, AssetCondition, AssetJoint
 from artgen.asset.affordance import GRIPPER, Affordance, block, clipped, moved_joints
 from artgen.asset.collision import SolidPart, link_parts
-from artgen.export.frames import coupling, leader_of
+from artgen.export.frames import leader_of
 from artgen.proof.overlap import LEAST_VOLUME
-from artgen.validate.joints import needed_conditions, state_for
+from artgen.validate.joints import led_by, needed_conditions, state_for
 
 MOST_FORCE = 60.0
 """Largest force of a hand, a finger or a foot [N].
@@ -315,11 +315,7 @@ def _places(asset: Asset, joint: AssetJoint) -> Sequence[_Place]:
     """Return positions along the range of a joint; other joints stand where it may move."""
     held = positions_to_move(asset, joint.name, {}) or {}
     low, high = _range(joint)
-    members = [(joint, AssetCoupling(joint.name, 1.0))]  # the joint and its followers, with the law of each
-    for each in asset.joints:
-        law = coupling(asset, each)
-        if law is not None and law.leader == joint.name:
-            members.append((each, law))
+    members = led_by(asset, joint)
     clicks = joint.detents.torque if joint.detents else 0.0
     step = min(_FORCE_STEP, 0.25 * (high - low))
     places = []

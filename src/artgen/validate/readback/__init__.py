@@ -45,9 +45,8 @@ def check_format(check: str, expected: Expected, directory: str | Path) -> Check
     try:
         with OPENUSD if check == "usd" else nullcontext():
             module = import_module(f"{__name__}.{check}")  # its library may be missing
-        if check != "usd":  # the faults of a stage are found when it is read
-            found += module.element_findings(path)
-        with OPENUSD if check == "usd" else nullcontext():
+            if check != "usd":  # the faults of a stage are found when it is read
+                found += module.element_findings(path)
             reading: Reading = module.read(asset, path)
         found += [*_complaints(check, reading), *reading.findings]
         found += Comparison(check, expected, reading, check).differences()

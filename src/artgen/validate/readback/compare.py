@@ -17,7 +17,7 @@ from artgen.export.frames import FAR, local, translation
 from artgen.export.hulls import hulls
 from artgen.export.urdf import primitives
 from artgen.validate.joints import unit
-from artgen.validate.readback.reading import UNLIMITED, Faces, Law, ReadCollider, Reading, ReadJoint
+from artgen.validate.readback.reading import UNLIMITED, Faces, Law, ReadCollider, Reading, ReadJoint, dent
 
 EXACT = 1e-6
 """Tolerance of numbers [m, rad]; relative for masses, moments and gains."""
@@ -37,15 +37,6 @@ _APART = 5e-6  # tolerance of bounds of colliders: some formats have single prec
 _VOLUME = 1e-3  # relative, for the same reason: pieces are thin
 _INSIDE = 1e-6  # tolerance of vertices inside the hull of the others [m]
 _SHOWN = 3  # most colliders of a link in findings
-_UNITS = {
-    "stiffness": ("N m/rad", "N/m"),
-    "damping": ("N m s/rad", "N s/m"),
-    "friction": ("N m", "N"),
-    "rest": ("rad", "m"),
-    "armature": ("kg m^2", "kg"),
-    "effort": ("N m", "N"),
-    "velocity": ("rad/s", "m/s"),
-}
 
 
 def expected_frames(asset: Asset, q: Mapping[str, float]) -> dict[str, Array]:
@@ -322,7 +313,7 @@ class Comparison:
         missing = set(_STATED.get(self.check, ())) - {item.field for item in found.dynamics}
         for field in DYNAMICS:
             wanted = float(getattr(joint, field))
-            name = _UNITS[field][joint.kind == "prismatic"]
+            name = unit(joint, field)
             fault = partial(self._fault, joint=joint.name, unit=name)
             if field in missing and wanted != 0.0:
                 yield fault(f"{file} does not state its {field}, which is {wanted:.7g} {name}", value=0.0)
@@ -414,8 +405,9 @@ def _collider_differences(
     name = f"its collider {found.name}"
     volumes = f"{1e6 * found.volume:.5g} cm^3 in {file}, not {1e6 * wanted.volume:.5g} cm^3"
     same_volume = abs(found.volume - wanted.volume) <= _VOLUME * wanted.volume
-    depth = found.concavity() if len(found.vertices) and not (away <= _APART and same_volume) else 0.0
-    if depth > _INSIDE:
+    same = away <= _APART and same_volume
+    depth = None if same or not len(found.vertices) else dent(found.vertices)
+    if depth is not None and depth > _INSIDE:
         yield f"{name} is not convex in {file}: a vertex lies {1e3 * depth:.4g} mm inside its hull", depth
     elif not away <= _APART:
         yield f"{name} is off by {1e3 * away:.4g} mm and has {volumes}", away

@@ -112,15 +112,16 @@ class ReadCollider:
         bounds = np.array([vertices.min(axis=0), vertices.max(axis=0)])
         return ReadCollider(name, bounds, middle, volume, friction, vertices, flaw)
 
-    def concavity(self) -> float:
-        """Return how far a vertex lies inside the hull of the others [m]."""
-        from scipy.spatial import ConvexHull, QhullError
 
-        try:
-            planes = ConvexHull(self.vertices).equations
-        except (QhullError, ValueError, IndexError):
-            return 0.0
-        return float(-(planes[:, :3] @ self.vertices.T + planes[:, 3:]).max(axis=0).min())
+def dent(vertices: Array) -> float | None:
+    """Return how far a vertex lies inside the hull of the others; None if they have no hull [m]."""
+    from scipy.spatial import ConvexHull, QhullError
+
+    try:
+        planes = ConvexHull(vertices).equations
+    except (QhullError, ValueError, IndexError):
+        return None
+    return float(-(planes[:, :3] @ vertices.T + planes[:, 3:]).max(axis=0).min())
 
 
 def _open_edges(triangles: Indices) -> int:

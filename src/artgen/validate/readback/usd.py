@@ -118,10 +118,7 @@ def _pin_findings(pins: Sequence[Any], asset: Asset) -> Iterator[Finding]:
     """Yield joints outside the articulation that close no chain, and chains that none closes."""
     wanted = list(asset.loops)
     for pin in pins:
-        links = tuple(
-            next((path.name for path in pin.GetRelationship(f"physics:body{end}").GetTargets()), "")
-            for end in (0, 1)
-        )
+        links = _ends(pin)
         places = [np.array(_get(pin, f"physics:localPos{end}", np.nan)) for end in (0, 1)]
         closed = [
             loop
@@ -181,10 +178,7 @@ def _attribute_findings(prim: Any, off: Collection[tuple[str, str]]) -> Iterator
             if attribute.ValueMightBeTimeVarying():
                 yield _fault(f"{where} has a {name} that changes with time", **place)
             fault, message = _SWITCHES.get(name, (None, ""))
-            if (name, *place.values()) == ("physics:collisionEnabled", _body_name(prim)) and (
-                _body_name(prim),
-                where,
-            ) in off:
+            if name == "physics:collisionEnabled" and (place.get("link"), where) in off:
                 continue  # a spare collider of a padded asset
             if value == fault and message:
                 yield _fault(message.format(where), **place)
@@ -270,12 +264,10 @@ class _Arm:
 
     def motion(self, position: float) -> Array:
         """Return the motion at a position, shape (4, 4)."""
-        result = np.eye(4)
+        way = position * np.eye(3)[self.column]
         if self.kind == "revolute":
-            result[:3, :3] = Rotation.from_rotvec(position * np.eye(3)[self.column]).as_matrix()
-        elif self.kind:
-            result[self.column, 3] = position
-        return result
+            return affine(Rotation.from_rotvec(way).as_matrix())
+        return affine(np.eye(3), way if self.kind else 0.0)
 
 
 def _arms(stage: Any, asset: Asset) -> Iterator[_Arm]:
@@ -285,10 +277,7 @@ def _arms(stage: Any, asset: Asset) -> Iterator[_Arm]:
             continue
         if _is_pin(prim) and prim.GetName() not in asset.joints.by_name:
             continue
-        parent, child = (
-            next((path.name for path in prim.GetRelationship(f"physics:{name}").GetTargets()), "")
-            for name in ("body0", "body1")
-        )
+        parent, child = _ends(prim)
         before, after = (
             _pose(*(_get(prim, f"physics:local{part}{end}") for part in ("Pos", "Rot"))) for end in (0, 1)
         )
@@ -296,6 +285,13 @@ def _arms(stage: Any, asset: Asset) -> Iterator[_Arm]:
         kind = next((kind for kind, schema in kinds.items() if prim.IsA(schema)), "")
         column = "XYZ".find(str(_get(prim, "physics:axis"))) if kind else 0
         yield _Arm(prim, prim.GetName(), kind, parent, child, before, after, max(column, 0))
+
+
+def _ends(joint: Any) -> tuple[str, str]:
+    """Return the names of the bodies of a joint; empty for the world."""
+    targets = [joint.GetRelationship(f"physics:body{end}").GetTargets() for end in (0, 1)]
+    parent, child = (paths[0].name if paths else "" for paths in targets)
+    return parent, child
 
 
 def _pose(position: Any, rotation: Any) -> Array:

@@ -27,8 +27,7 @@ def _read(request: dict[str, Any]) -> dict[str, Any]:
         joints = {info[1].decode(): info for info in infos if info[2] in _KINDS}
         poses = []
         for q in request["poses"]:
-            for name, info in joints.items():
-                bullet.resetJointState(body, info[0], q[name])
+            _put(body, joints, q)
             frames = {name: _frame(body, numbers[name]) for name in request["links"]}
             poses.append(in_base(frames, request["links"]))
         links = {name: _link(body, numbers[name]) for name in request["links"]}
@@ -42,6 +41,11 @@ def _read(request: dict[str, Any]) -> dict[str, Any]:
         }
     finally:
         bullet.disconnect(client)
+
+
+def _put(body: int, joints: dict[str, Any], pose: dict[str, float]) -> None:
+    for name, info in joints.items():
+        bullet.resetJointState(body, info[0], pose[name])
 
 
 def _link(body: int, number: int) -> dict[str, Any]:
@@ -69,10 +73,6 @@ def _frame(body: int, number: int) -> Any:
 def _simulate(body: int, joints: dict[str, Any], request: dict[str, Any]) -> dict[str, Any]:
     """Let the asset settle, then drive each free joint to both ends by its motor."""
 
-    def start() -> None:
-        for name, info in joints.items():
-            bullet.resetJointState(body, info[0], request["poses"][0][name])
-
     def position(number: int) -> float:
         return float(bullet.getJointState(body, number)[0])
 
@@ -83,8 +83,8 @@ def _simulate(body: int, joints: dict[str, Any], request: dict[str, Any]) -> dic
 
     bullet.setTimeStep(_STEP)
     bullet.setGravity(0.0, 0.0, -9.81)
-    steps = _SETTLE
-    start()
+    steps, start = _SETTLE, request["poses"][0]
+    _put(body, joints, start)
     for _ in range(_SETTLE):
         bullet.stepSimulation()
     moved = {}
@@ -93,7 +93,7 @@ def _simulate(body: int, joints: dict[str, Any], request: dict[str, Any]) -> dic
         low, high = ends(joint)
         # remaining impulses of earlier drives, such as a door against its stop, would push a light button for
         # seconds
-        start()
+        _put(body, joints, start)
         seen = [position(number)]
         for end in (high, low):
             for _ in range(round(1.5 * _TURN / _STEP)):

@@ -8,7 +8,7 @@ from importlib import metadata
 from pathlib import Path
 from typing import Any
 
-from driver_protocol import missing, serve
+from driver_protocol import MISSING, serve
 
 _BESIDE = Path(sys.prefix) / "bin"  # programs of Python's packages
 
@@ -16,14 +16,14 @@ _BESIDE = Path(sys.prefix) / "bin"  # programs of Python's packages
 def _read(request: dict[str, Any]) -> dict[str, Any]:
     program = shutil.which("check_urdf", path=str(_BESIDE)) or shutil.which("check_urdf")
     if program is None:
-        missing()
-    done = subprocess.run([str(program), request["file"]], capture_output=True, text=True, check=False)  # noqa: S603
+        sys.exit(MISSING)
+    done = subprocess.run([program, request["file"]], capture_output=True, text=True, check=False)  # noqa: S603
     said = [line for line in done.stderr.splitlines() if line.strip()]
     if done.returncode:
         said.append(f"exit code {done.returncode}: {' '.join(done.stdout.split())}")
     named = re.findall(r"^\s*(?:root Link|child\(\d+\)): +(\S+)", done.stdout, re.MULTILINE)
     said += [f"it does not show the link {name!r}" for name in request["links"] if name not in named]
-    return {"version": _version(str(program)), "said": said, "note": f"{len(request['links'])} links"}
+    return {"version": _version(program), "said": said, "note": f"{len(request['links'])} links"}
 
 
 def _version(program: str) -> str:

@@ -5,11 +5,11 @@ from importlib import import_module
 from typing import Any
 
 import numpy as np
-from driver_protocol import finite_limits, in_base, mass_properties, require, serve, transform
+from driver_protocol import finite_limits, frame_of, in_base, mass_properties, require, serve
 
 require("mujoco_usd_converter", "urdf_usd_converter")
 import usdex.core
-from pxr import Gf, Usd, UsdPhysics
+from pxr import Usd, UsdPhysics
 
 
 def _read(request: dict[str, Any]) -> dict[str, Any]:
@@ -28,19 +28,15 @@ def _read_stage(stage: Any, request: dict[str, Any]) -> dict[str, Any]:
         for prim in prims
         if prim.IsA(UsdPhysics.RevoluteJoint) or prim.IsA(UsdPhysics.PrismaticJoint)
     }
-    tree = [prim for prim in prims if prim.IsA(UsdPhysics.Joint) and not _closes_chain(prim)]
-    arms = [_arm(prim) for prim in tree]
+    tree = [prim for prim in prims if prim.IsA(UsdPhysics.Joint)]
+    pins = [prim for prim in tree if UsdPhysics.Joint(prim).GetExcludeFromArticulationAttr().Get()]
+    arms = [_arm(prim) for prim in tree if prim not in pins]  # pins close chains, outside the tree of links
     return {
         "links": {name: _link(bodies[name]) for name in request["links"] if name in bodies},
         "joints": {name: _joint(prim) for name, prim in joints.items()},
         "couplings": dict(_coupling(prim) for prim in joints.values() if prim.HasAPI("NewtonMimicAPI")),
         "poses": [_pose(arms, pose, request["links"]) for pose in request["poses"]],
     }
-
-
-def _closes_chain(prim: Any) -> bool:
-    """Return whether a joint is the pin of a closed chain, which stays out of the tree of links."""
-    return bool(UsdPhysics.Joint(prim).GetExcludeFromArticulationAttr().Get())
 
 
 def _link(prim: Any) -> dict[str, Any]:
@@ -117,19 +113,16 @@ def _pose(arms: list[Any], pose: dict[str, float], links: list[str]) -> dict[str
 
 
 def _motion(axis: int, position: float) -> Any:
-    result = np.eye(4)
+    pose = np.array([0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0])
     if axis >= 3:
-        result[axis - 3, 3] = position
+        pose[axis - 3] = position
     elif axis >= 0:
-        one, two = (axis + 1) % 3, (axis + 2) % 3
-        cosine, sine = np.cos(position), np.sin(position)
-        result[one, one], result[one, two], result[two, one], result[two, two] = cosine, -sine, sine, cosine
-    return result
+        pose[3 + axis], pose[6] = np.sin(position / 2.0), np.cos(position / 2.0)
+    return frame_of(pose)
 
 
 def _frame(position: Any, quaternion: Any) -> Any:
-    turn = np.array(Gf.Matrix3d(Gf.Quatd(quaternion).GetNormalized())).T
-    return transform(turn, position)
+    return frame_of([*position, *quaternion.GetImaginary(), quaternion.GetReal()])
 
 
 if __name__ == "__main__":

@@ -106,20 +106,15 @@ def drive_all(simulation: Simulation, request: dict[str, Any]) -> dict[str, Any]
     joints = [joint for joint in request["joints"] if joint["follows"] is None]
     moved: dict[str, list[float]] = {}
     held: dict[str, list[float]] = {}
-    for joint in joints:
-        if not joint["blocked"]:
-            low, high, forces = _drive(simulation, joint, {})
-            moved[joint["name"]] = [low, high]
-            held[joint["name"]] = forces
-    for joint in joints:
+    for joint in sorted(joints, key=lambda joint: joint["blocked"]):
+        others: dict[str, float] = {}
         if joint["blocked"]:
             others = {name: held[name][side] for name, side in joint["freed"].items() if name in held}
             simulation.push(others)
             simulation.advance(_SETTLE)
-            low, high, forces = _drive(simulation, joint, others)
-            held[joint["name"]] = forces
-            if high - low > _FREED * (ends(joint)[1] - ends(joint)[0]):
-                moved[joint["name"]] = [low, high]
+        low, high, held[joint["name"]] = _drive(simulation, joint, others)
+        if not joint["blocked"] or high - low > _FREED * (ends(joint)[1] - ends(joint)[0]):
+            moved[joint["name"]] = [low, high]
     return {"moved": moved, "steps": simulation.steps, "finite": simulation.finite}
 
 

@@ -16,20 +16,15 @@ import numpy as np
 
 Read = Callable[[dict[str, Any]], dict[str, Any]]
 
-_MISSING = 3  # exit code of a driver whose client is not installed
+MISSING = 3  # exit code of a driver whose client is not installed
+UNLIMITED = 1e5  # limits, efforts and speeds from this number on count as none
 _NAMES = "artgen_names.json"  # names of links and joints in the file, signs of reversed joints, and the axes
-_UNLIMITED = 1e5  # limits from this number on count as none
 
 
 def require(*modules: str) -> None:
     """End the process if a module of the client is not installed."""
     if any(importlib.util.find_spec(name) is None for name in modules):
-        sys.exit(_MISSING)
-
-
-def missing() -> None:
-    """End the process: the client is not installed."""
-    sys.exit(_MISSING)
+        sys.exit(MISSING)
 
 
 def serve(read: Read) -> None:
@@ -99,9 +94,7 @@ def _read_renamed(read: Read, request: dict[str, Any]) -> dict[str, Any]:
             {links[number]: turn @ np.asarray(frame) @ turn.T for number, frame in pose.items()}
             for pose in found
         ],
-        "moved": lambda found: {
-            joints[number]["name"]: reverse(number, span) for number, span in found.items()
-        },
+        "moved": lambda found: {joints[key]["name"]: reverse(key, span) for key, span in found.items()},
         "couplings": lambda found: {
             joints[number]["name"]: [joints[leader]["name"], *law] for number, (leader, *law) in found.items()
         },
@@ -150,7 +143,7 @@ def mass_properties(mass: Any, center: Any, inertia: Any, axes: Any = None) -> d
 
 def finite_limits(low: Any, high: Any) -> list[Any] | None:
     """Return the limits of a joint; None if they are infinite or larger than any real limit."""
-    return [low, high] if abs(low) < _UNLIMITED and abs(high) < _UNLIMITED else None
+    return [low, high] if abs(low) < UNLIMITED and abs(high) < UNLIMITED else None
 
 
 def couplings_to_heads(couplings: dict[str, list[Any]]) -> dict[str, list[Any]]:

@@ -4,12 +4,13 @@ import json
 import os
 import shutil
 import subprocess
+import sys
 from collections.abc import Iterator
 from functools import cache
 from pathlib import Path
 from typing import Any
 
-from driver_protocol import missing, serve
+from driver_protocol import MISSING, serve
 
 _PACKAGE = "gltf-validator"
 _SCRIPT = """
@@ -25,8 +26,8 @@ _SEVERE = 1  # severities: 0 error, 1 warning, 2 information, 3 hint
 def _read(request: dict[str, Any]) -> dict[str, Any]:
     node, modules = shutil.which("node"), _modules()
     if node is None or modules is None:
-        missing()
-    command = [str(node), "--eval", _SCRIPT, str(modules), request["file"]]
+        sys.exit(MISSING)
+    command = [node, "--eval", _SCRIPT, str(modules), request["file"]]
     done = subprocess.run(command, capture_output=True, text=True, check=False)  # noqa: S603
     if done.returncode:
         raise RuntimeError(f"the validator fails: {done.stderr.strip()}")

@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 from driver_motion import Simulation, pose_and_drive
 from driver_protocol import (
+    UNLIMITED,
     couplings_to_heads,
     enabled,
     finite_limits,
@@ -23,8 +24,6 @@ import warp
 warnings.formatwarning = lambda message, category, *_: f"{category.__name__}: {message}\n"
 warp.config.log_level = warp.LOG_WARNING  # official switch for its banner; warnings stay
 import newton
-
-_UNLIMITED = 1e5  # larger efforts and speeds count as none
 
 
 def _read(request: dict[str, Any]) -> dict[str, Any]:
@@ -131,7 +130,7 @@ def _joint(model: Any, degree: _Degree, form: str) -> dict[str, Any]:
             rests = model.joint_target_q if driven else model.joint_rest_q
             result["rest"] = float(rests.numpy()[degree.place]) + degree.start
     bounds = {name: value(f"joint_{name}_limit") for name in ("effort", "velocity")}
-    return result | {name: bound for name, bound in bounds.items() if bound < _UNLIMITED}
+    return result | {name: bound for name, bound in bounds.items() if bound < UNLIMITED}
 
 
 def _couplings(model: Any, degrees: dict[str, _Degree]) -> dict[str, Any]:

@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 from driver_motion import Simulation, drive_all, lags
-from driver_protocol import enabled, finite_limits, frame_of, mass_properties, require, serve
+from driver_protocol import UNLIMITED, enabled, finite_limits, frame_of, mass_properties, require, serve
 
 require("ovphysx", "physx_usd_schemas", "newton_usd_schemas")
 import ovphysx
@@ -17,7 +17,6 @@ from ovphysx.types import GlobalConfigKey, TensorType
 _RETURN = 2.0  # time in which a spring has to return its joint [s]
 _LOOK = 0.02  # interval between two checks during that time [s]
 _RETURNED = 0.05  # tolerance of a spring's rest position, as a share of the range
-_UNLIMITED = 1e5  # larger efforts and speeds count as none
 
 
 def _read(request: dict[str, Any]) -> dict[str, Any]:
@@ -139,7 +138,7 @@ class _Simulation(Simulation):
         for name, number in self.degrees.items():
             # PhysX does not report the kind of a joint: a wrong one shows in the poses
             found[name] = {"limits": finite_limits(*ranges[number])}
-            found[name] |= {key: each[number] for key, each in values.items() if each[number] < _UNLIMITED}
+            found[name] |= {key: each[number] for key, each in values.items() if each[number] < UNLIMITED}
             if found[name]["stiffness"]:
                 found[name]["rest"] = target[number]
             elif not found[name]["damping"]:

@@ -81,11 +81,9 @@ def read_articulation(step: Any, articulation: Any, mimics: Any, request: dict[s
     links = {link.name: link for link in articulation.links}
     joints = {joint.name: joint for joint in articulation.active_joints}
     _couple(articulation, joints, mimics)
-    rest = dict.fromkeys(joints, 0.0)
     poses = []
     for q in request["poses"]:
-        positions = [{**rest, **q}[name] for name in joints]
-        articulation.set_qpos(np.array(positions, np.float32))
+        articulation.set_qpos(np.array([q.get(name, 0.0) for name in joints], np.float32))
         frames = {name: links[name].entity_pose.to_transformation_matrix() for name in request["links"]}
         poses.append(in_base(frames, request["links"]))
     return {
