@@ -95,6 +95,7 @@ ROOM = (
     Placed("trashcan", 0, 1.25, gap=0.75, share=0.7),
     Placed("box", 4, 2.2, gap=1.0, share=0.7, turn=-0.35),
     Placed("bucket", 8, 1.72, gap=0.85, share=0.0, turn=0.2),
+    Placed("cart", 1, 6.55, gap=1.0, share=0.4, turn=-0.5),
     Placed("safe", 5, 2.95, gap=0.85, share=0.6, turn=-0.3),
     Placed("suitcase", 1, 5.62, gap=0.95, share=0.0, turn=-0.3),
     Placed("fan", 1, 5.05, gap=0.2, turn=0.1),

@@ -91,6 +91,14 @@ PRODUCTS: Mapping[str, tuple[Product, ...]] = {
         Product("cooler or pail", (0.18, 0.27), (0.15, 0.24), (0.18, 0.32), (0.9, 2.5)),
         Product("can of paint", (0.12, 0.29), (0.13, 0.31), (0.10, 0.27), (1.3, 15.0)),
     ),
+    # the bar of a tool cart stands out by 0.07 m, wheels and bumpers by 0.02-0.05 m
+    "cart": (
+        Product("service trolley", (0.69, 0.97), (0.42, 0.61), (0.85, 0.99), (9.0, 25.0)),
+        Product("drinks trolley", (0.62, 0.86), (0.42, 0.56), (0.75, 0.88), (7.0, 27.0)),
+        Product("tool cart", (0.68, 0.86), (0.37, 0.50), (0.83, 0.99), (30.0, 60.0)),
+        Product("platform", (0.74, 0.98), (0.46, 0.64), (0.84, 0.98), (9.0, 26.0)),
+        Product("hand truck", (0.42, 0.58), (0.42, 0.58), (1.05, 1.28), (5.0, 15.0)),
+    ),
     # bodies of 0.45 or 0.60 x 0.57-0.62 x 0.82-0.88 m; handles and hoses stand out by up to 0.06 m
     "dishwasher": (
         Product("slim dishwasher", (0.44, 0.46), (0.56, 0.68), (0.81, 0.89), (30.0, 45.0)),

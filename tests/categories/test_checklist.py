@@ -100,6 +100,14 @@ CHECKLIST: dict[str, dict[str, Moving]] = {
         "dial": turns("steam_turn", (0, 1)),
         "button": slides("button_slide", (1, 2, 3)),
     },
+    "cart": {
+        "caster that swivels": turns("caster_swivel_\\d", (0, 2, 4), unlimited=True),
+        "wheel of a caster": turns("caster_roll_\\d", (0, 2, 4), unlimited=True),
+        "large wheel": turns("wheel_roll(_left|_right)", (0, 2), unlimited=True),
+        "drawer": slides("drawer_slide", (0, 3, 4, 5, 6)),
+        "handle that folds": turns("handle_fold", (0, 1)),
+        "toe that folds": turns("toe_fold", (0, 1)),
+    },
     "chair": {
         "lift of the seat": slides("seat_lift", (0, 1)),
         "swivel of the seat": turns("seat_swivel", (0, 1), unlimited=True),

@@ -234,7 +234,7 @@ def caster(
         ag.detail(bolt.at(axle), "caster", finish),
     )
     wheel = ag.cylinder(radius, width, axis=ag.X, bevel=0.0035)
-    hold = ag.grasp_on(wheel, approach=ag.Y, closing=ag.X, depth=0.4 * radius)
+    hold = ag.grasp_on(wheel, approach=ag.Z, closing=ag.X, depth=0.4 * radius)  # clear of the floor
     rolling = ag.weld(
         ag.part(wheel, "wheel", tread, name=f"{name}_wheel", grasp=hold),
         ag.detail(ag.cylinder(0.55 * radius, width + 0.0006, axis=ag.X, bevel=0.0010), "wheel", finish),
