@@ -81,7 +81,7 @@ class _Plan:
 def cart(
     *,
     style: Style = ag.choice(
-        {"service": 0.24, "drinks": 0.18, "tool": 0.22, "platform": 0.18, "truck": 0.18}
+        {"service": 0.24, "tool": 0.22, "platform": 0.18, "drinks": 0.18, "truck": 0.18}
     ),
     long: ag.Float = ag.by(
         "style",
