@@ -81,7 +81,6 @@ CHECKLIST: dict[str, dict[str, Moving]] = {
         "bail": turns("bail_swing", (0, 1)),
         "hanging handle": turns("handle_swing_(left|right)", (0, 2)),
         "lid that lifts off": slides("lid_lift", (0, 1)),
-        "lid that turns": turns("lid_turn", (0, 1), unlimited=True),
     },
     "cabinet": {"door": turns(f"door_hinge{SIDED}", (1, 2))},
     "coffee_machine": {

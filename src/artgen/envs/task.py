@@ -318,11 +318,14 @@ _DOCS = {
     "OpenKettle": "Open the lid of the kettle by 0.8 rad.",
     "OpenBottle": "Flip the cap of the bottle open by 0.8 rad.",
     "OpenDesk": "Pull a drawer of the desk or bedside table open by half its way.",
+    "OpenToolCart": "Pull a drawer of the tool cart open by half its way.",
     "OpenDetergentDrawer": "Pull the detergent drawer of the washing machine out by half its way.",
     "OpenWindow": "Turn the handle of a window, then open its sash by 0.2 rad.",
     "OpenSafe": "Turn the key or the dial of the safe, then its handle, then open the door by 0.3 rad.",
     "LiftToiletLid": "Lift the lid of the toilet by 0.8 rad.",
     "LiftTrashcanLid": "Lift the lid of the bin by 0.8 rad.",
+    "LiftPailLid": "Lift the lid off the pail, by 0.06 m.",
+    "LiftBail": "Swing the bail of the bucket up by 1.4 rad.",
     "LiftBlenderLid": "Lift the lid off the jug of the blender, by 0.06 m.",
     "LiftBlenderJug": "Turn the jug of the blender out of its lock, then lift it by 0.05 m.",
     "LiftCoffeeLever": "Lift the lever of the capsule machine by three fifths of its range.",
@@ -354,6 +357,7 @@ def _knob(part: str, share: float = 0.0, *, at_least: float = 0.0) -> Chooser:
 
 
 _KEYS, _GRIPS = {"controls": choice("keypad", "mixed")}, {"handle": choice("bar", "pocket")}
+_BAILS = {"style": choice("household", "builder", "zinc", "wood")}
 _FLAT = {"burner": choice("radiant", "coil", "induction")}
 _LOCKED = {
     "style": choice("home", "fire"),
@@ -380,11 +384,14 @@ _ROWS: dict[str, _Row] = {  # category, time limit [s], stages, overrides, raise
     "OpenKettle": ("kettle", 8.0, _lid, {"style": "spout"}, True),
     "OpenBottle": ("bottle", 8.0, _lid, {"style": "flip"}, True),
     "OpenDesk": ("table", 10.0, _pull, {"style": choice("desk", "side")}, False),
+    "OpenToolCart": ("cart", 10.0, _pull, {"style": "tool"}, False),
     "OpenDetergentDrawer": ("washing_machine", 10.0, _pull, {"kind": "front"}, False),
     "OpenWindow": ("window", 12.0, by_lever("", 0.2, 0.24), {"style": choice("casement", "awning")}, False),
     "OpenSafe": ("safe", 20.0, by_lever("", 0.3, 0.34), _LOCKED, False),
     "LiftToiletLid": ("toilet", 12.0, _lid, {}, False),
     "LiftTrashcanLid": ("trashcan", 10.0, _lid, {"style": "lift"}, False),
+    "LiftPailLid": ("bucket", 8.0, _off, {"style": "pail"}, True),
+    "LiftBail": ("bucket", 12.0, one_joint("bail", "grasp", "revolute", at_least=1.4), _BAILS, True),
     "LiftBlenderLid": ("blender", 8.0, _off, {"style": choice("jug", "retro")}, True),
     "LiftBlenderJug": ("blender", 10.0, by_lever("", 0.05, 0.055), {}, True),
     "LiftCoffeeLever": ("coffee_machine", 10.0, _lever, {"style": "capsule"}, True),

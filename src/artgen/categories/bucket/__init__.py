@@ -1,10 +1,10 @@
 """A bucket with a bail: of plastic, zinc or wood, a cooler for bottles, a pail with a lid, or a can of paint.
 
 Links: `bucket`; `bail`, or `handle_right` and `handle_left` of a cooler or a pail, which has a `lid`. Joints:
-`bail_swing`, or `handle_swing_right` and `handle_swing_left`; `lid_lift` and `lid_turn`.
+`bail_swing`, or `handle_swing_right` and `handle_swing_left`; `lid_lift`.
 
 At 0 the bail lies in front, a little below its pivots; it swings over to the back. The handles of a cooler
-or a pail hang, and swing up. The lid of a pail turns and lifts off. A can of paint is full and closed.
+or a pail hang, and swing up. The lid of a pail lifts off. A can of paint is full and closed.
 
 Sizes are those of shops, by capacity: household buckets of 5-12 l are 22-31 cm wide and 0.25-0.8 kg, those
 of builders of 12-20 l 31-36 cm and 0.7-1.4 kg, galvanized ones of 8-15 l 27-33 cm and 1.1-2.2 kg, wooden
@@ -359,5 +359,4 @@ def _lidded(body: ag.Body, plan: _Plan) -> ag.Body:
         ag.part([cap, stem], "knob", casting(plan.trim, 0.6), grasp=hold),
     )
     lift = ag.Prismatic("lid_lift", axis=ag.Z, limits=(0, 0.12), friction=0.4, damping=4.0, effort=80.0)
-    turn = ag.Revolute("lid_turn", axis=ag.Z, friction=0.02, damping=0.01, effort=5.0)
-    return body.attach(lid, lift, turn, at=(0, 0, plan.high + 0.001 + FIT.running))
+    return body.attach(lid, lift, at=(0, 0, plan.high + 0.001 + FIT.running))
