@@ -99,6 +99,12 @@ PRODUCTS: Mapping[str, tuple[Product, ...]] = {
         Product("platform", (0.74, 0.98), (0.46, 0.64), (0.84, 0.98), (9.0, 26.0)),
         Product("hand truck", (0.42, 0.58), (0.42, 0.58), (1.05, 1.28), (5.0, 15.0)),
     ),
+    # lids and pulls stand out at the front by 0.013 m, a feeder above by 0.045 m
+    "printer": (
+        Product("inkjet printer with a scanner", (0.42, 0.48), (0.33, 0.41), (0.16, 0.34), (6.0, 12.0)),
+        Product("laser printer", (0.36, 0.42), (0.37, 0.43), (0.21, 0.32), (7.0, 15.0)),
+        Product("laser printer with a scanner", (0.39, 0.45), (0.39, 0.46), (0.34, 0.54), (12.0, 25.0)),
+    ),
     # bodies of 0.45 or 0.60 x 0.57-0.62 x 0.82-0.88 m; handles and hoses stand out by up to 0.06 m
     "dishwasher": (
         Product("slim dishwasher", (0.44, 0.46), (0.56, 0.68), (0.81, 0.89), (30.0, 45.0)),

@@ -214,6 +214,13 @@ CHECKLIST: dict[str, dict[str, Moving]] = {
         "lock": slides("lock_slide", (0, 1)),
         "valve": slides("valve_lift", (0, 1)),
     },
+    "printer": {
+        "cassette": slides("cassette_slide", (1, 2)),
+        "flap": turns("flap_hinge", (0, 1)),
+        "lid of a scanner": turns("lid_hinge", (0, 1)),
+        "panel that tilts": turns("panel_tilt", (0, 1)),
+        "key": slides("button_slide", range(2, 7)),
+    },
     "refrigerator": {
         "door": turns(f"door_hinge{SIDED}", (1, 2)),
         "freezer door": turns("freezer_door_hinge", (0, 1)),

@@ -42,6 +42,7 @@ _SYNSETS: Mapping[str, str] = {
     "faucet": "faucet.n.01", "handle": "handle.n.01", "kettle": "kettle.n.01", "lamp": "lamp.n.02",
     "laptop": "laptop.n.01", "microwave": "microwave.n.02", "oven": "oven.n.01",
     "pepper_grinder": "pepper_mill.n.01", "plier": "pliers.n.01", "pot": "pot.n.01",
+    "printer": "printer.n.03",
     "refrigerator": "refrigerator.n.01", "safe": "safe.n.01", "scissors": "scissors.n.01",
     "sink": "sink.n.01", "soap_dispenser": "soap_dispenser.n.01", "stand_mixer": "electric_mixer.n.01",
     "stapler": "stapler.n.01", "suitcase": "bag.n.06", "switch": "switch.n.01", "table": "table.n.02",
