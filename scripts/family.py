@@ -87,6 +87,7 @@ ROOM = (
     Placed("plier", 3, 2.56, z=0.83, gap=0.3, share=0.5, turn=0.9),
     Placed("table", 3, 3.98, gap=0.06),
     Placed("laptop", 8, 3.80, z=0.70, gap=0.2, share=0.9, turn=-0.15),
+    Placed("display", 6, 3.72, z=0.70, gap=0.14, share=0.0, turn=0.1),
     Placed("printer", 1, 4.22, z=0.70, gap=0.12, share=0.0, turn=0.1),
     Placed("stapler", 5, 4.08, z=0.70, gap=0.5, share=0.0, turn=0.7),
     Placed("valve", 0, 3.62, z=0.70, gap=0.5, share=0.0, turn=-0.4),

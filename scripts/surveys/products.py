@@ -99,6 +99,11 @@ PRODUCTS: Mapping[str, tuple[Product, ...]] = {
         Product("platform", (0.74, 0.98), (0.46, 0.64), (0.84, 0.98), (9.0, 26.0)),
         Product("hand truck", (0.42, 0.58), (0.42, 0.58), (1.05, 1.28), (5.0, 15.0)),
     ),
+    # with the stand; columns stand up above small screens by 0.02 m
+    "display": (
+        Product("monitor", (0.49, 0.64), (0.18, 0.26), (0.34, 0.52), (3.2, 9.0)),
+        Product("television", (0.71, 0.99), (0.18, 0.36), (0.46, 0.67), (4.5, 14.0)),
+    ),
     # lids and pulls stand out at the front by 0.013 m, a feeder above by 0.045 m
     "printer": (
         Product("inkjet printer with a scanner", (0.42, 0.48), (0.33, 0.41), (0.16, 0.34), (6.0, 12.0)),

@@ -133,6 +133,12 @@ CHECKLIST: dict[str, dict[str, Moving]] = {
         "detergent flap": slides("detergent_flap_slide", (1,)),
         "spray arm": turns("spray_arm_spin", (1, 2), unlimited=True),
     },
+    "display": {
+        "stand that turns": turns("stand_swivel", (0, 1)),
+        "stand that rises": slides("height_slide", (0, 1)),
+        "screen that tilts": turns("screen_tilt", (0, 1)),
+        "key": slides("button_slide", (1, 2, 3, 4, 5)),
+    },
     "door": {
         "door": turns(f"door_hinge{SIDED}", (1, 2)),
         "handle that turns": turns("handle_turn", (0, 1)),

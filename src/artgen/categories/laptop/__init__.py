@@ -22,7 +22,7 @@ from typing import Literal
 
 import artgen as ag
 from artgen import details, feel
-from artgen.categories.shared import controls
+from artgen.categories.shared import controls, screens
 from artgen.categories.shared.finish import colors
 from artgen.nodes.fitting import FIT, Fitting
 
@@ -68,14 +68,6 @@ _METALS = ag.choice(
 )
 _PLASTICS = ag.shades(*colors("abs", "black graphite white navy red"), color=0.03)
 _CAPS = ag.choice("black_abs", *colors("abs", "graphite light_grey white"))
-_PICTURES = {
-    "dusk": ((0.09, 0.08, 0.26), (0.55, 0.24, 0.26)),
-    "sea": ((0.03, 0.14, 0.28), (0.16, 0.42, 0.50)),
-    "meadow": ((0.10, 0.26, 0.40), (0.12, 0.30, 0.10)),
-}
-"""Colors of the sky and of the hills on a screen."""
-
-_DARK = ag.material("black_glass").with_(name="screen_glass", specular_roughness=0.12)
 _PORT = ag.material("black_abs").with_(name="port_recess", base_color=(0.015, 0.015, 0.015))
 
 
@@ -314,64 +306,13 @@ def _screen(plan: _Plan, case: ag.Material, bezel: ag.Scalar, picture: str, make
     held = ag.grasp_on(lip, approach=ag.Y, closing=ag.Z, depth=0.0095)
     lid = ag.part(lip | shell, "screen", case, name="screen", grasp=held)
     face = room.shrink(0.0022, bottom=0.0, top=0.0)
-    pane = ag.detail(face.with_(z=(low - 0.0003, low + 0.0005)).box(), "bezel", _DARK)
+    pane = ag.detail(face.with_(z=(low - 0.0003, low + 0.0005)).box(), "bezel", screens.GLASS)
     glass = face.shrink(bezel, back=0.010, bottom=0.0, top=0.0)
     middle = glass.anchor()
     wide, tall = glass.size[0], glass.size[1]
-    films = []
-    if picture != "off":
-        sky, hills = (
-            _glowing(f"{picture}_{name}", color)
-            for name, color in zip(("sky", "hills"), _PICTURES[picture], strict=True)
-        )
-        whole = ag.rectangle(wide, tall)
-        ridge = [
-            (-0.5, -0.5),
-            (0.5, -0.5),
-            (0.5, 0.06),
-            (0.30, -0.10),
-            (0.12, 0.16),
-            (-0.1, -0.05),
-            (-0.28, 0.10),
-            (-0.5, -0.12),
-        ]
-        land = ag.polygon([(x * wide, y * tall) for x, y in ridge])
-        dock = ag.rectangle(0.30 * wide, 0.055 * tall, radius=0.004).at(0, -0.43 * tall)
-        icons = functools.reduce(
-            operator.or_,
-            [
-                ag.rectangle(0.007, 0.007, radius=0.002).at(0.042 * wide * place, -0.43 * tall)
-                for place in range(-3, 4)
-            ],
-        )
-        bright = _glowing("icons", (0.75, 0.78, 0.82))
-        layers = (
-            (whole - land, sky),
-            (land - dock, hills),
-            (dock - icons, _glowing("dock", (0.22, 0.24, 0.28))),
-            (icons, bright),
-        )
-        for profile, color in layers:
-            films.append(
-                details.printed(
-                    profile,
-                    (middle[0], middle[1], low - 0.0003),
-                    material=color,
-                    facing=-ag.Z,
-                    up=-ag.Y,
-                    label="display",
-                    proud=0.00015,
-                )
-            )
+    at = (middle[0], middle[1], low - 0.0003)
+    films = screens.picture_films(picture, (wide, tall), at, facing=-ag.Z, up=-ag.Y)
     name = details.printed(
         details.logo(maker, 0.007), (0, 0, low + _LID), material=controls.ink_on(case), facing=ag.Z, up=-ag.Y
     )
     return ag.weld(lid, pane, name, *films)
-
-
-def _glowing(name: str, color: tuple[float, float, float]) -> ag.Material:
-    """Make the material of a lit part of a screen."""
-    dim, lit = (tuple(share * value for value in color) for share in (0.05, 0.3))
-    return ag.material("display").with_(
-        name=f"screen_{name}", base_color=dim, emission=lit, specular_roughness=0.15
-    )
