@@ -88,6 +88,7 @@ ROOM = (
     Placed("table", 3, 3.98, gap=0.06),
     Placed("laptop", 8, 3.80, z=0.70, gap=0.2, share=0.9, turn=-0.15),
     Placed("stapler", 5, 4.08, z=0.70, gap=0.5, share=0.0, turn=0.7),
+    Placed("eyeglasses", 8, 3.86, z=0.70, gap=0.58, share=1.0, turn=0.25),
     Placed("valve", 0, 3.62, z=0.70, gap=0.5, share=0.0, turn=-0.4),
     Placed("handle", 2, 3.45, z=0.70, gap=0.25, share=0.7),
     Placed("switch", 5, 4.42, z=0.70, gap=0.12, share=0.0, turn=-0.2),

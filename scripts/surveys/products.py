@@ -239,6 +239,11 @@ PRODUCTS: Mapping[str, tuple[Product, ...]] = {
         Product("scissors", (0.055, 0.095), (0.122, 0.262), (0.008, 0.015), (0.02, 0.40)),
         Product("tongs", (0.04, 0.055), (0.23, 0.315), (0.03, 0.04), (0.09, 0.19)),
     ),
+    # lenses of 46-58 mm, folded; tips of temples stand out by up to 0.01 m on both sides
+    "eyeglasses": (
+        Product("full rim", (0.132, 0.178), (0.018, 0.056), (0.024, 0.066), (0.016, 0.040)),
+        Product("rimless", (0.132, 0.170), (0.018, 0.040), (0.022, 0.056), (0.012, 0.028)),
+    ),
     # desk staplers of 20-30 sheets with the arm up; heavy ones with their lever; pliers lie on their side
     "stapler": (
         Product("desk stapler", (0.040, 0.050), (0.110, 0.200), (0.05, 0.085), (0.17, 0.50)),
