@@ -96,6 +96,7 @@ ROOM = (
     Placed("trashcan", 0, 1.25, gap=0.75, share=0.7),
     Placed("box", 4, 2.2, gap=1.0, share=0.7, turn=-0.35),
     Placed("safe", 5, 2.95, gap=0.85, share=0.6, turn=-0.3),
+    Placed("globe", 4, 3.42, z=0.70, gap=0.05, share=0.0),
     Placed("suitcase", 1, 5.62, gap=0.95, share=0.0, turn=-0.3),
     Placed("fan", 1, 5.05, gap=0.2, turn=0.1),
     Placed("sink", 4, 5.62, gap=0.01),

@@ -39,7 +39,7 @@ _SYNSETS: Mapping[str, str] = {
     "chair": "chair.n.01", "coffee_machine": "coffee_maker.n.01", "cooktop": "stove.n.01",
     "dishwasher": "dishwasher.n.01", "door": "door.n.01", "drawer": "drawer.n.01",
     "eyeglasses": "spectacles.n.01", "fan": "electric_fan.n.01", "faucet": "faucet.n.01",
-    "handle": "handle.n.01", "kettle": "kettle.n.01", "lamp": "lamp.n.02",
+    "globe": "globe.n.03", "handle": "handle.n.01", "kettle": "kettle.n.01", "lamp": "lamp.n.02",
     "laptop": "laptop.n.01", "microwave": "microwave.n.02", "oven": "oven.n.01",
     "pepper_grinder": "pepper_mill.n.01", "plier": "pliers.n.01", "pot": "pot.n.01",
     "refrigerator": "refrigerator.n.01", "safe": "safe.n.01", "scissors": "scissors.n.01",
