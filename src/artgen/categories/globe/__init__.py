@@ -164,9 +164,13 @@ def globe(
         )
     steel = metal.with_(name=f"{metal.name}_meridian", density=2700.0)
     if not full:
+        side = center + ag.vector(outer)
+        hold = ag.grasp_on(arm, approach=-ag.X, closing=ag.Y, at=side, depth=0.0065)
         post = ag.cylinder(0.006, height - 0.006).at(z=(height + 0.010) / 2)
-        body = ag.weld(body, ag.part(post, "pole", metal), ag.part(arm, "meridian", steel))
-        return body.attach(ball, spin)
+        body = ag.weld(
+            body, ag.part(post, "pole", metal), ag.part(arm, "meridian", steel, name="arm", grasp=hold)
+        )
+        return body.attach(ball, spin).at(-(outer - 0.62 * radius) / 2)  # the base in the middle
     ring = ag.part(arm, "meridian", steel, grasp=ag.grasp_on(arm, approach=-ag.Z, closing=ag.Y,
                    at=center + ag.vector(z=(inner + outer) / 2), depth=outer - inner))  # fmt: skip
     turn = ag.Revolute(
@@ -283,7 +287,7 @@ def _foot(
         plate = ag.Region.centered(wide, wide, 1.0).with_(z=(0.0, thick)).box(bevel=0.004)
     else:
         plate = ag.cylinder(wide / 2, thick, bevel=0.004).at(z=thick / 2)
-    density = max(finish.density, 700.0) if finish.base_metalness < 0.5 else 2200.0
+    density = max(finish.density, 700.0) if finish.base_metalness < 0.5 else 900.0 if lit else 2200.0
     body = ag.part(plate, "base", finish.with_(name=f"{finish.name}_foot", density=density))
     mark = details.printed(
         details.logo(maker, 0.006), (0, -0.36 * wide, thick), facing=ag.Z, up=ag.Y, material=metal
