@@ -97,7 +97,7 @@ _METALS = ("satin_brass", "chrome", "black_steel", "brushed_aluminium", "satin_n
 )
 def globe(
     *,
-    style: Style = ag.choice({"half": 0.38, "full": 0.24, "floor": 0.16, "lit": 0.22}),
+    style: Style = ag.choice({"full": 0.32, "half": 0.30, "floor": 0.16, "lit": 0.22}),
     diameter: ag.Float = ag.by(
         "style",
         half=ag.uniform(0.15, 0.30),
