@@ -267,6 +267,16 @@ PRODUCTS: Mapping[str, tuple[Product, ...]] = {
         Product("scissors", (0.055, 0.095), (0.122, 0.262), (0.008, 0.015), (0.02, 0.40)),
         Product("tongs", (0.04, 0.055), (0.23, 0.315), (0.03, 0.04), (0.09, 0.19)),
     ),
+    # lenses of 46-58 mm, folded; tips of temples stand out by up to 0.01 m on both sides
+    "eyeglasses": (
+        Product("full rim", (0.132, 0.178), (0.018, 0.056), (0.024, 0.066), (0.016, 0.040)),
+        Product("rimless", (0.132, 0.170), (0.018, 0.040), (0.022, 0.056), (0.012, 0.028)),
+    ),
+    # balls of 0.14-0.33 m on a foot, 0.32-0.40 m in a frame; a full meridian stands out by 0.02 m
+    "globe": (
+        Product("desk globe", (0.14, 0.38), (0.13, 0.36), (0.16, 0.46), (0.35, 4.5)),
+        Product("floor globe", (0.42, 0.62), (0.42, 0.62), (0.85, 1.15), (3.5, 12.0)),
+    ),
     # desk staplers of 20-30 sheets with the arm up; heavy ones with their lever; pliers lie on their side
     "stapler": (
         Product("desk stapler", (0.040, 0.050), (0.110, 0.200), (0.05, 0.085), (0.17, 0.50)),

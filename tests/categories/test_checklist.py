@@ -233,6 +233,12 @@ CHECKLIST: dict[str, dict[str, Moving]] = {
         "inner drawer": slides("inner_drawer_slide", (0, 1, 2, 3)),
         "outer drawer": slides("outer_drawer_slide", (0, 1, 2)),
     },
+    "eyeglasses": {"temple": turns("temple_hinge(_right|_left)", (2,))},
+    "globe": {
+        "ball": turns("ball_spin", (1,), unlimited=True),
+        "meridian": turns("meridian_turn", (0, 1)),
+        "button": slides("button_slide", (0, 1)),
+    },
     "scissors": {
         "blade": turns("blade_hinge", (0, 1)),
         "arm of tongs": turns("arm_hinge", (0, 1)),

@@ -7,6 +7,7 @@ from artgen.materials.textures.fields import SEEN, Color, Pattern, Tile, blend, 
 _BRONZE: Color = (0.090, 0.063, 0.045)
 _HAMMERED: Color = (0.20, 0.13, 0.075)
 _FOAM: Color = (0.80, 0.78, 0.70)
+_TORTOISE: Color = (0.150, 0.058, 0.017)
 _KNURL = (12, 6)  # grooves across a tile, and the length of each along it
 
 
@@ -76,6 +77,15 @@ def _glossy(name: str, hair: tuple[float, float, float], hairs: float, smudges: 
 
 _glossy("polished", (0.0008, 0.02, 2.3), 0.030, (0.020, 0.08))
 _glossy("glossy", (0.0010, 0.03, 2.2), 0.025, (0.022, 0.12))
+
+
+@recipe("tortoise", (0.09, 0.09), _TORTOISE, variants=3, varying=("albedo",))
+def _tortoise(tile: Tile) -> Pattern:
+    """Draw acetate that looks like tortoise shell: dark brown clouds with soft edges in amber."""
+    broad, fine = tile.cloud(0.022, 1.9), tile.cloud(0.008, 1.6)
+    dark = smoothstep(-0.75, 0.75, broad + 0.22 * fine)
+    stops = ((0.0, (0.48, 0.195, 0.050)), (0.4, (0.21, 0.074, 0.020)), (1.0, (0.020, 0.0135, 0.0125)))
+    return Pattern(blend(dark, stops), 0.022 * tile.smudges(0.05) + 0.004 * fine)
 
 
 @recipe("cast", (0.10, 0.10))
