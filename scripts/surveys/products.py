@@ -274,8 +274,8 @@ PRODUCTS: Mapping[str, tuple[Product, ...]] = {
     ),
     # balls of 0.14-0.33 m on a foot, 0.32-0.40 m in a frame; a full meridian stands out by 0.02 m
     "globe": (
-        Product("desk globe", (0.14, 0.38), (0.13, 0.36), (0.16, 0.46), (0.35, 4.5)),
-        Product("floor globe", (0.42, 0.62), (0.42, 0.62), (0.85, 1.15), (3.5, 12.0)),
+        Product("desk globe", (0.14, 0.38), (0.13, 0.36), (0.16, 0.46), (0.25, 4.5)),
+        Product("floor globe", (0.42, 0.62), (0.42, 0.62), (0.85, 1.15), (3.2, 12.0)),
     ),
     # desk staplers of 20-30 sheets with the arm up; heavy ones with their lever; pliers lie on their side
     "stapler": (

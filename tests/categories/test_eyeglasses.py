@@ -87,3 +87,10 @@ def test_glasses_have_the_sizes_that_are_printed_in_them(lens: int, bridge: int,
     ).reshape(2, 3)
     assert high[0] - low[0] == pytest.approx((2 * lens + bridge) / 1000, abs=0.0015)
     assert 0.012 < asset.mass < 0.040
+
+
+def test_colliders_of_a_thin_lens_are_found() -> None:
+    asset = made(13)
+    assert 1 <= len(asset.link("frame").colliders) <= 64, (
+        "the hull of this lens has a needle that points inwards"
+    )

@@ -109,3 +109,15 @@ def test_what_a_tool_does_not_reach_stays_whole() -> None:
     drilled = difference(both, Exact([Convex.box((0.01, 0.01, 0.1), pose(1.0))])).outer(TOLERANCE)
     assert len(drilled[0].points) == len(egg)
     assert all(len(piece.points) <= 64 for piece in drilled[1:])
+
+
+def test_a_plane_that_cuts_nothing_ends_the_search() -> None:
+    rng = np.random.default_rng(0)
+    points = rng.normal(size=(300, 3))
+    points *= 0.1 / np.linalg.norm(points, axis=1)[:, None]
+    solid = Facets.hull(points)
+    inward = np.array([[1.0, 0.0, 0.0, -0.05]])  # such as that of a needle of a hull, turned by rounding
+    vars(solid)["planes"] = np.concatenate((solid.planes, inward))
+    corners, _ = enclosing(solid, 64, 1e-4)
+    around = Facets.hull(corners).planes
+    assert (points @ around[:, :3].T <= around[:, 3] + 1e-9).all(), "the polytope contains the solid"

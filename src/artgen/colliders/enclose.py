@@ -49,7 +49,9 @@ class Facets:
     def planes(self) -> Array:
         """The planes of the triangles as (nx, ny, nz, d), inside is `n.x <= d`, shape (m, 4)."""
         normals, area, corners = self._across
-        return planes_of(corners, normals, area)
+        planes = planes_of(corners, normals, area)
+        # hulls may have needles whose normal points inwards
+        return planes[planes[:, 3] > _portable.product(planes[:, :3], self.center)]
 
     @cached_property
     def center(self) -> Array:
@@ -120,13 +122,16 @@ def enclosing(solid: Facets, most_vertices: int, tolerance: float) -> tuple[Arra
         worst = np.flatnonzero(cutting & (reach >= excess * _WORTHWHILE))
         worst = worst[np.argsort(-np.rint(reach[worst] / SNAP), kind="stable")]
         _, first = np.unique(corner[worst], return_index=True)
-        more = np.concatenate((chosen, waiting[worst[np.sort(first)[:spare]]]))
-        waiting = waiting[cutting]
+        taken = worst[np.sort(first)[:spare]]
+        more = np.concatenate((chosen, waiting[taken]))
         fresh = _corners(more, solid.center)
         if len(fresh) > most_vertices:  # a corner of many edges was cut off
             most_added = spare // 2
-            continue
-        chosen, corners = more, fresh
+        else:
+            chosen, corners, cutting[taken] = more, fresh, False
+        waiting = waiting[cutting]
+        if not len(waiting):
+            return corners, 0.0
 
 
 def _bounding_planes(points: Array) -> Array:

@@ -237,9 +237,9 @@ def _post(plan: _Plan) -> ag.Body:
         disc = ag.cylinder(0.055, 0.006, bevel=0.001).at(0, y, 0.0158)
         solids = [arm.box(bevel=0.004), post.box(bevel=0.004), disc]
         return ag.part(solids, "column", casting(plan.metal, 0.3))
-    post = ag.Region((-0.024, 0.024), (y - 0.014, y + 0.014), (0.006, plan.level + 0.020)).box(bevel=0.005)
+    column = ag.Region((-0.024, 0.024), (y - 0.014, y + 0.014), (0.006, plan.level + 0.020)).box(bevel=0.005)
     neck = ag.Region(
         (-0.016, 0.016), (plan.back + 0.020, y - 0.013), (plan.level - 0.013, plan.level + 0.013)
     )
     pin = ag.cylinder(0.013, 0.046, axis=ag.X, bevel=0.002).at(0, plan.back + 0.020, plan.level)
-    return ag.part([post, neck.box(bevel=0.003), pin], "column", casting(plan.metal, 0.4))
+    return ag.part([column, neck.box(bevel=0.003), pin], "column", casting(plan.metal, 0.4))

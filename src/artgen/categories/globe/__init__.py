@@ -9,7 +9,7 @@ the front. The ball runs on pins and spins on for some seconds after a push. Fri
 from an upright axis to one that lies. A button springs back and switches the lamp.
 
 Sizes are those of shops (Columbus, National Geographic, Räth): balls of desks are 0.15-0.33 m across and
-weigh 0.7-2.6 kg with their foot, lit ones 0.12-0.30 m and 0.5-2 kg, floor globes 0.32-0.40 m, 0.9-1.1 m high
+weigh 0.3-3 kg with their foot, lit ones 0.12-0.30 m and 0.3-2 kg, floor globes 0.32-0.40 m, 0.9-1.1 m high
 and 3.5-7 kg. Shells are 1.2-2.5 mm of plastic or of cardboard. The land is a rough outline by hand, of the
 places of capes and bays in degrees.
 """
@@ -73,6 +73,7 @@ _HOLLOW = {
     "floor": 38.0,
     "lit": 72.0,
 }  # mass of a ball by its whole volume [kg/m3]
+_SIDES = 24  # facets of the solid inside a horizon
 _PIN = 0.0035  # radius of the pins of the axis [m]
 _GAP = 0.0060  # between a ball and its meridian [m]
 _FILM = 0.0004  # height of land and lines above the sea [m]
@@ -195,12 +196,8 @@ def _ball(radius: ag.Scalar, scheme: str, style: Style) -> ag.Body:
         shine = tuple(0.35 * channel for channel in color) if lit else (0.0, 0.0, 0.0)
         paint = _INK.with_(name=f"land_{scheme}_{number % len(lands)}", base_color=color, emission=shine,
                            base_metalness=0.9 if scheme == "dark" else 0.0)  # fmt: skip
-        # triangles without a common corner stay apart in files
-        patches = [
-            (cone & skin).scale(1.0 + 6e-5 * at + 3e-5 * (number % 2))
-            for at, cone in enumerate(_cone(places, radius))
-        ]
-        bodies.append(ag.detail(patches, "land", paint))
+        patch = _cone(places, radius) & skin
+        bodies.append(ag.detail(patch, "land", paint))
     ink = _INK.with_(name="globe_lines", base_color=(grey, grey, grey))
     ring = ag.tube(radius + 0.0003, radius - 0.002, 0.0006)
     lines = [ring.rotate(ag.X, math.pi / 2).rotate(ag.Z, math.pi / 6 * at) for at in range(6)]
@@ -211,8 +208,8 @@ def _ball(radius: ag.Scalar, scheme: str, style: Style) -> ag.Body:
     return ag.weld(*bodies, ag.detail(lines, "line", ink))
 
 
-def _cone(places: Sequence[tuple[float, float]], radius: ag.Scalar) -> list[ag.Solid]:
-    """Make cones from the middle of the ball through the triangles of a land."""
+def _cone(places: Sequence[tuple[float, float]], radius: ag.Scalar) -> ag.Solid:
+    """Make the cone from the middle of the ball through the outline of a land."""
     points = []
     for north, east in places:
         up, turn = math.radians(north), math.radians(east - 90 - 30)
@@ -225,38 +222,10 @@ def _cone(places: Sequence[tuple[float, float]], radius: ag.Scalar) -> list[ag.S
         ahead, aside = x * math.cos(east) + y * math.sin(east), y * math.cos(east) - x * math.sin(east)
         out, up = ahead * math.cos(north) + z * math.sin(north), z * math.cos(north) - ahead * math.sin(north)
         flat.append((-up / out, aside / out))
-    high = 1.02
-    cones = []
-    for number, corners in enumerate(_triangles(flat)):
-        low = 0.30 + 0.003 * number  # no two inner faces in one plane
-        outline = ag.polygon([(u * radius, v * radius) for u, v in corners])
-        outline = outline.offset(-0.00015).offset(0.00015)  # without needles
-        cones.append(ag.loft([outline.scale(low), outline.scale(high)], [low * radius, high * radius]))
-    return [cone.rotate(ag.Y, math.pi / 2 - north).rotate(ag.Z, east) for cone in cones]
-
-
-def _triangles(points: list[tuple[float, float]]) -> list[list[tuple[float, float]]]:
-    """Divide a polygon into triangles: ears are cut off one by one."""
-
-    def turn(a: tuple[float, float], b: tuple[float, float], c: tuple[float, float]) -> float:
-        return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
-
-    area = sum(a[0] * b[1] - a[1] * b[0] for a, b in zip(points, points[1:] + points[:1], strict=True))
-    rest, found = points if area > 0.0 else points[::-1], []
-    while len(rest) > 2:
-        for at in range(len(rest)):
-            a, b, c = rest[at - 1], rest[at], rest[(at + 1) % len(rest)]
-            others = [each for each in rest if each not in (a, b, c)]
-            if turn(a, b, c) > 0.0 and not any(
-                min(turn(a, b, each), turn(b, c, each), turn(c, a, each)) >= 0.0 for each in others
-            ):
-                if turn(a, b, c) > 0.005 * (math.dist(a, b) + math.dist(b, c) + math.dist(c, a)):  # no sliver
-                    found.append([a, b, c])
-                rest = rest[:at] + rest[at + 1 :]
-                break
-        else:
-            raise ValueError("the outline of a land crosses itself")
-    return found
+    low, high = 0.30, 1.02
+    outline = ag.polygon([(u * low * radius, v * low * radius) for u, v in flat])
+    cone = ag.extrude(outline, (high - low) * radius, taper=1.0 - high / low).at(z=(low + high) / 2 * radius)
+    return cone.rotate(ag.Y, math.pi / 2 - north).rotate(ag.Z, east)
 
 
 def _meridian(inner: ag.Scalar, outer: ag.Scalar, *, full: bool) -> ag.Solid:
@@ -287,7 +256,7 @@ def _foot(
         plate = ag.Region.centered(wide, wide, 1.0).with_(z=(0.0, thick)).box(bevel=0.004)
     else:
         plate = ag.cylinder(wide / 2, thick, bevel=0.004).at(z=thick / 2)
-    density = max(finish.density, 700.0) if finish.base_metalness < 0.5 else 900.0 if lit else 2200.0
+    density = max(finish.density, 700.0) if finish.density < 2600.0 else 900.0 if lit else 2200.0
     body = ag.part(plate, "base", finish.with_(name=f"{finish.name}_foot", density=density))
     mark = details.printed(
         details.logo(maker, 0.006), (0, -0.36 * wide, thick), facing=ag.Z, up=ag.Y, material=metal
@@ -325,7 +294,10 @@ def _cradle(height: ag.Scalar, low: float, metal: ag.Material) -> list[ag.Body]:
 def _frame(outer: ag.Scalar, center: ag.Vector, height: ag.Scalar, legs: int, wood: ag.Material) -> ag.Body:
     """Make a frame of wood: legs with a stretcher, a cradle, and a horizon around the meridian."""
     inner, wide = outer + 0.006, 0.052
-    board = ag.tube(inner + wide, inner, 0.018, bevel=0.002).at(z=center.z)
+    board = ag.tube(inner + wide, inner - 0.0004, 0.018, bevel=0.002).at(z=center.z)
+    sides = ag.regular_polygon(_SIDES, 1.0)
+    ring = sides.scale(inner + wide - 0.0004) - sides.scale(inner / math.cos(math.pi / _SIDES))
+    core = ag.extrude(ring, 0.0174).at(z=center.z)
     places = [math.pi / 4 + math.tau * at / legs for at in range(legs)]
     far = inner + wide - 0.024
     posts, bars = [], []
@@ -351,10 +323,15 @@ def _frame(outer: ag.Scalar, center: ag.Vector, height: ag.Scalar, legs: int, wo
         ag.part(hub, "base", wood, name="base"),
         ag.part(bars, "stretcher", wood),
         ag.part(posts, "leg", wood),
-        ag.part(board, "horizon", wood),
+        ag.part(core, "horizon", wood),
     ]
     scale = ag.tube(inner + wide - 0.006, inner + 0.006, 0.0004).at(z=center.z + 0.0090)
     paper = ag.material("abs").with_(
         name="horizon_paper", base_color=(0.62, 0.50, 0.30), texture="", tile=None
     )
-    return ag.weld(*made, ag.detail(scale, "print", paper), *_cradle(height, 0.12 * 0.5, wood))
+    return ag.weld(
+        *made,
+        ag.detail(board, "horizon", wood),
+        ag.detail(scale, "print", paper),
+        *_cradle(height, 0.12 * 0.5, wood),
+    )
