@@ -220,10 +220,11 @@ def _service(plan: _Plan, trays: int) -> ag.Body:
 def _big_wheel(plan: _Plan, width: float, spokes: int) -> ag.Body:
     """Make a wheel about the y axis: a tyre on a rim, with a hub, and spokes or a disc."""
     radius = plan.wheel
+    flat = width - 0.006  # the visible tyre has round shoulders
     tyre = ag.bounding_collider(
-        ag.tube(radius, 0.78 * radius, width, axis=ag.Y, bevel=ag.min_(0.3 * width, 0.09 * radius)),
-        ag.cylinder(radius, width, axis=ag.Y),
+        ag.tube(radius, 0.78 * radius, flat, axis=ag.Y, bevel=0.0005), ag.cylinder(radius, flat, axis=ag.Y)
     )
+    round_tyre = ag.tube(radius, 0.77 * radius, width, axis=ag.Y, bevel=ag.min_(0.3 * width, 0.09 * radius))
     hub = ag.cylinder(0.020, width + 0.010, axis=ag.Y, bevel=0.002)
     ring = ag.tube(0.80 * radius, 0.72 * radius, 0.7 * width, axis=ag.Y, bevel=0.001)
     bars: list[ag.Solid] = [ag.cylinder(0.74 * radius, 0.004, axis=ag.Y)]
@@ -234,7 +235,9 @@ def _big_wheel(plan: _Plan, width: float, spokes: int) -> ag.Body:
     hold = ag.grasp_on(tyre, approach=ag.X, closing=ag.Y, at=(0.012 - radius, 0, 0), depth=0.012)
     light = _RUBBER.with_(name="tyre_rubber", density=800.0)
     return ag.weld(
-        ag.part(tyre, "wheel", light, name="wheel", grasp=hold), ag.detail([ring, hub, *bars], "wheel", rim)
+        ag.part(tyre, "wheel", light, name="wheel", grasp=hold),
+        ag.detail([ring, hub, *bars], "wheel", rim),
+        ag.detail(round_tyre, "wheel", light),
     )
 
 
