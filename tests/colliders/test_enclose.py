@@ -111,13 +111,16 @@ def test_what_a_tool_does_not_reach_stays_whole() -> None:
     assert all(len(piece.points) <= 64 for piece in drilled[1:])
 
 
-def test_a_plane_that_cuts_nothing_ends_the_search() -> None:
+def test_needles_that_point_inwards_do_not_count_as_faces() -> None:
     rng = np.random.default_rng(0)
     points = rng.normal(size=(300, 3))
     points *= 0.1 / np.linalg.norm(points, axis=1)[:, None]
-    solid = Facets.hull(points)
-    inward = np.array([[1.0, 0.0, 0.0, -0.05]])  # such as that of a needle of a hull, turned by rounding
-    vars(solid)["planes"] = np.concatenate((solid.planes, inward))
-    corners, _ = enclosing(solid, 64, 1e-4)
-    around = Facets.hull(corners).planes
-    assert (points @ around[:, :3].T <= around[:, 3] + 1e-9).all(), "the polytope contains the solid"
+    solid, sound = Facets.hull(points), Facets.hull(points).planes
+    normals, area, corners = solid._across
+    turned = (-normals[:1], area[:1], corners[:1, ::-1])
+    vars(solid)["_across"] = tuple(map(np.concatenate, zip((normals, area, corners), turned, strict=True)))
+    np.testing.assert_array_equal(solid.planes, sound)
+    around, farthest = enclosing(solid, 64, 1e-4)
+    assert farthest < 0.02
+    faces = Facets.hull(around).planes
+    assert (points @ faces[:, :3].T <= faces[:, 3] + 1e-9).all(), "the polytope contains the solid"
