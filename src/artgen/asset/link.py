@@ -463,7 +463,9 @@ class RoundedLink(DerivedLink):
     def mass_properties(self) -> MassProperties:
         """Mass, center and inertia of the source, rounded."""
         properties: MassProperties = rounded(self.source.mass_properties)
-        return properties
+        inertia = properties.inertia
+        noise = abs(inertia) < _NOISE * np.trace(inertia)  # a link that was turned has products of 1e-20
+        return replace(properties, inertia=np.where(noise, 0.0, inertia))
 
     @cached_property
     def colliders(self) -> tuple[Collider, ...]:
@@ -472,6 +474,11 @@ class RoundedLink(DerivedLink):
             replace(each, convex=_rounded_convex(each.convex), material=_rounded_material(each.material))
             for each in self.source.colliders
         )
+
+    @property
+    def covers(self) -> tuple[Convex, ...]:
+        """The covers of the source, rounded."""
+        return tuple(map(_rounded_convex, self.source.covers))
 
     @cached_property
     def surfaces(self) -> tuple[Surface, ...]:
@@ -484,6 +491,7 @@ class RoundedLink(DerivedLink):
         return tuple(result)
 
 
+_NOISE = 1e-14  # share of the trace of an inertia below which a product is 0
 _rounded_material: Callable[[Material], Material] = cached(256)(rounded)
 
 

@@ -23,6 +23,7 @@ from artgen.asset.certificate import (
 )
 from artgen.asset.joint import is_number
 from artgen.asset.manifolds import box_of
+from artgen.asset.record import rounded
 from artgen.errors import AssetError
 from artgen.proof.cover import Cover, collider_cover, fine_cover, slot_hosts
 from artgen.proof.hierarchy import Hierarchy
@@ -456,7 +457,7 @@ def _pieces(search: _PairSearch) -> dict[str, Any]:
     return {
         name: {
             "order": list(order),
-            "excess": cover.excess,
+            "excess": None if cover.excess is None else rounded(cover.excess),
             "points": None if cover.colliders else [each.tolist() for each in cover.points],
             "labels": None if cover.colliders else list(cover.labels),
         }
