@@ -4,27 +4,17 @@ import math
 from functools import lru_cache
 from typing import Any
 
-import mujoco
 import numpy as np
 import pytest
 
 from artgen.asset import Asset
 from artgen.catalog import find
+from support.release import released
 
 
 @lru_cache(maxsize=32)
 def made(seed: int, **given: Any) -> Asset:
     return find("bucket").generate(seed, certify=False, **given)
-
-
-def released(asset: Asset, name: str, position: float) -> float:
-    """Return where a joint stands two seconds after it was let go."""
-    model = asset.to_mjspec().compile()
-    data = mujoco.MjData(model)
-    place = model.joint(name).qposadr[0]
-    data.qpos[place] = position
-    mujoco.mj_step(model, data, nstep=round(2.0 / model.opt.timestep))
-    return float(data.qpos[place])
 
 
 @pytest.mark.parametrize("style", ["household", "builder", "zinc", "wood", "cooler", "pail", "paint"])
@@ -44,8 +34,8 @@ def test_a_bail_falls_to_the_side_to_which_it_leans(style: str) -> None:
     asset = made(2, style=style)
     front, back = asset.joint("bail_swing").limits or (0.0, 0.0)
     upright = (front + back) / 2
-    assert released(asset, "bail_swing", upright - 0.4) == pytest.approx(front, abs=0.02)
-    assert released(asset, "bail_swing", upright + 0.4) == pytest.approx(back, abs=0.02)
+    assert released(asset, "bail_swing", upright - 0.4, seconds=2.0) == pytest.approx(front, abs=0.02)
+    assert released(asset, "bail_swing", upright + 0.4, seconds=2.0) == pytest.approx(back, abs=0.02)
     center = np.append(asset.link("bail").mass_properties.center, 1.0)
     assert (asset.pose({"bail_swing": upright})["bail"] @ center)[1] == pytest.approx(0.0, abs=1e-6)
 
@@ -53,7 +43,9 @@ def test_a_bail_falls_to_the_side_to_which_it_leans(style: str) -> None:
 @pytest.mark.parametrize("style", ["cooler", "pail"])
 def test_handles_at_the_sides_hang(style: str) -> None:
     for side in ("right", "left"):
-        assert released(made(1, style=style), f"handle_swing_{side}", 1.2) == pytest.approx(0.0, abs=0.15)
+        assert released(made(1, style=style), f"handle_swing_{side}", 1.2, seconds=2.0) == pytest.approx(
+            0.0, abs=0.15
+        )
 
 
 def test_a_can_of_paint_is_full_and_closed() -> None:

@@ -3,27 +3,16 @@
 from functools import lru_cache
 from typing import Any
 
-import mujoco
 import pytest
 
 from artgen.asset import Asset
 from artgen.catalog import find
+from support.release import released
 
 
 @lru_cache(maxsize=32)
 def made(seed: int, **given: Any) -> Asset:
     return find("display").generate(seed, certify=False, **given)
-
-
-def released(asset: Asset, name: str, position: float, pull: float = 0.0) -> float:
-    """Return where a joint stands a second after it was let go, or was pulled by a force."""
-    model = asset.to_mjspec().compile()
-    data = mujoco.MjData(model)
-    joint = model.joint(name)
-    data.qpos[joint.qposadr[0]] = position
-    data.qfrc_applied[joint.dofadr[0]] = pull
-    mujoco.mj_step(model, data, nstep=round(1.0 / model.opt.timestep))
-    return float(data.qpos[joint.qposadr[0]])
 
 
 @pytest.mark.parametrize("inches", [22, 27])
@@ -39,8 +28,8 @@ def test_a_monitor_stays_at_its_height_and_angle(inches: int) -> None:
 def test_a_hand_lifts_a_monitor_with_a_fraction_of_its_weight() -> None:
     asset = made(2, style="rising", inches=27)
     weight = 9.81 * sum(asset.link(name).mass for name in ("carriage", "screen"))
-    assert released(asset, "height_slide", 0.0, 0.15 * weight) == pytest.approx(0.0, abs=0.002)
-    assert released(asset, "height_slide", 0.0, 0.40 * weight) > 0.02
+    assert released(asset, "height_slide", 0.0, pull=0.15 * weight) == pytest.approx(0.0, abs=0.002)
+    assert released(asset, "height_slide", 0.0, pull=0.40 * weight) > 0.02
 
 
 @pytest.mark.parametrize("inches", [22, 24, 27, 32, 40, 43])

@@ -4,27 +4,17 @@ import math
 from functools import lru_cache
 from typing import Any
 
-import mujoco
 import pytest
 
 from artgen.asset import Asset
 from artgen.catalog import find
 from artgen.errors import InfeasibleError
+from support.release import released
 
 
 @lru_cache(maxsize=12)
 def made(seed: int, **given: Any) -> Asset:
     return find("valve").generate(seed, certify=False, **given)
-
-
-def released(asset: Asset, name: str, position: float) -> float:
-    """Return where a joint stands a second after it was let go."""
-    model = asset.to_mjspec().compile()
-    data = mujoco.MjData(model)
-    place = model.joint(name).qposadr[0]
-    data.qpos[place] = position
-    mujoco.mj_step(model, data, nstep=round(1.0 / model.opt.timestep))
-    return float(data.qpos[place])
 
 
 def test_a_lever_turns_a_quarter_between_its_stops_and_stays() -> None:

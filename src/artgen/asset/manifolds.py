@@ -34,8 +34,7 @@ def moved_manifold(manifold: Manifold, matrix: Array) -> Manifold:
         return manifold.transform(np.ascontiguousarray(matrix[:3]))
     # for a reflection, manifold3d flips the triangles but not the order of the normals at their corners
     raw = manifold.to_mesh64()
-    triangles = np.asarray(raw.tri_verts).astype(np.int64)
-    properties = np.array(mended(np.array(raw.vert_properties), triangles))
+    properties = mended(np.array(raw.vert_properties), np.asarray(raw.tri_verts).astype(np.int64))
     properties[:, :3] = properties[:, :3] @ matrix[:3, :3].T + matrix[:3, 3]
     normals = properties[:, 3:6] @ _portable.inverse(matrix[:3, :3])
     properties[:, 3:6] = normals / np.linalg.norm(normals, axis=1, keepdims=True)

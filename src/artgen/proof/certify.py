@@ -457,7 +457,7 @@ def _pieces(search: _PairSearch) -> dict[str, Any]:
     return {
         name: {
             "order": list(order),
-            "excess": None if cover.excess is None else rounded(cover.excess),
+            "excess": rounded(cover.excess),
             "points": None if cover.colliders else [each.tolist() for each in cover.points],
             "labels": None if cover.colliders else list(cover.labels),
         }

@@ -211,7 +211,7 @@ def _vessel(plan: _Plan, rings: int) -> ag.Body:
     if style in ("household", "builder"):
         lip = 0.0045 if style == "household" else 0.007
         tall = 0.008 if style == "household" else 0.016
-        edge = _hoop(plan.rim + lip - 0.0003, plan.rim - wall, tall).at(z=high - tall / 2)
+        edge = vessels.hoop(plan.rim + lip - 0.0003, plan.rim - wall, tall, _SIDES).at(z=high - tall / 2)
         seen = ag.tube(plan.rim + lip, plan.rim - wall - 0.0003, tall + 0.001, bevel=0.0022)
         body = ag.weld(
             body, ag.part(edge, "rim", plan.finish), ag.detail(seen.at(z=high - tall / 2), "rim", plan.finish)
@@ -236,12 +236,6 @@ def _vessel(plan: _Plan, rings: int) -> ag.Body:
         )
         swages.append(strip)
     return ag.weld(body, ag.detail(swages, "bucket", plan.finish)) if swages else body
-
-
-def _hoop(outer: ag.Scalar, inner: ag.Scalar, tall: ag.Scalar) -> ag.Solid:
-    """Make a faceted ring about z, which collides."""
-    sides = ag.regular_polygon(_SIDES, 1.0)
-    return ag.extrude(sides.scale(outer) - sides.scale(inner / math.cos(math.pi / _SIDES)), tall)
 
 
 def _staved(plan: _Plan, hoops: int) -> ag.Body:
@@ -302,7 +296,7 @@ def _label(plan: _Plan, litres: int, accent: ag.Material, maker: str) -> list[ag
 
 
 def _with_bail(body: ag.Body, plan: _Plan, kind: str, tall: ag.Scalar, friction: ag.Scalar) -> ag.Body:
-    """Add the ears and the bail, and the lid of a can."""
+    """Add the ears and the bail."""
     style, strap = plan.style, kind == "strap"
     wire = 0.0030 if strap else _WIRES[style]
     level = plan.high + 0.034 if style == "wood" else (0.78 if style == "paint" else 0.955) * plan.high

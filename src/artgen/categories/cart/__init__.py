@@ -21,7 +21,7 @@ from typing import Literal
 
 import artgen as ag
 from artgen import details, feel
-from artgen.categories.shared import controls, fixings, pulls
+from artgen.categories.shared import controls, fixings, furniture, pulls
 from artgen.categories.shared.finish import casting, colors
 from artgen.nodes.fitting import FIT, Fitting
 
@@ -185,12 +185,14 @@ def _sheet(panel: ag.Material) -> ag.Material:
     return casting(panel, 0.12) if panel.density > 2600.0 else panel
 
 
-def _bow(plan: _Plan, x: ag.Scalar, y: ag.Scalar, low: ag.Scalar) -> tuple[list[ag.Solid], ag.Frame]:
+def _bow(
+    plan: _Plan, x: ag.Scalar, y: ag.Scalar, low: ag.Scalar, radius: float = _TUBE
+) -> tuple[list[ag.Solid], ag.Frame]:
     """Make two posts and the bar between their tops, in a plane across x, and the grasp of the bar."""
     corners = [(x, -y, low), (x, -y, plan.high), (x, y, plan.high), (x, y, low)]
     ways = [(0, 0, 1), (0, 1, 0), (0, 0, -1)]
-    solids = pulls.bent_bar(ag.circle(_TUBE), corners, ways, bend=_BEND, halves=True, run=pulls.rod(_TUBE))
-    hold = ag.grasp_on(solids[1], approach=-ag.X, closing=ag.Z, at=(x, 0, plan.high), depth=_TUBE)
+    solids = pulls.bent_bar(ag.circle(radius), corners, ways, bend=_BEND, halves=True, run=pulls.rod(radius))
+    hold = ag.grasp_on(solids[1], approach=-ag.X, closing=ag.Z, at=(x, 0, plan.high), depth=radius)
     return solids, hold
 
 
@@ -246,10 +248,7 @@ def _drinks(plan: _Plan) -> ag.Body:
     small, low, top = 0.03, 0.225, plan.high - 0.075
     on = 2 * small + 0.0155
     x, y = plan.long / 2 - 0.030, plan.deep / 2 + _SLIM - 0.001
-    corners = [(x, -y, on + 0.010), (x, -y, plan.high), (x, y, plan.high), (x, y, on + 0.010)]
-    ways = [(0, 0, 1), (0, 1, 0), (0, 0, -1)]
-    bow = pulls.bent_bar(ag.circle(_SLIM), corners, ways, bend=_BEND, halves=True, run=pulls.rod(_SLIM))
-    hold = ag.grasp_on(bow[1], approach=-ag.X, closing=ag.Z, at=(x, 0, plan.high), depth=_SLIM)
+    bow, hold = _bow(plan, x, y, on + 0.010, _SLIM)
     post = ag.cylinder_between((-x, y, plan.wheel - 0.012), (-x, y, top + 0.066), _SLIM, bevel=0.002)
     knob = ag.sphere(0.013).at(-x, y, top + 0.070)
     foot = ag.box(0.052, 0.052, 0.012, bevel=0.002).at(x, y, on + 0.006)
@@ -332,19 +331,13 @@ def _drawer(cell: ag.Region, plan: _Plan, *, named: bool) -> ag.Body:
     face = cell.shrink(FIT.reveal, front=-0.001, back=0.0).with_(y=(cell.y.low - 0.001, cell.y.low + 0.014))
     room = cell.shrink(left=0.012, right=0.012, bottom=0.004, top=0.012, front=0.0138, back=0.006)
     inner = room.shrink(0.0020, front=0.0, top=0.0)
-    walls = [
-        room.with_(x=(room.x.low, inner.x.low)),
-        room.with_(x=(inner.x.high, room.x.high)),
-        room.with_(x=(inner.x.low - 0.0002, inner.x.high + 0.0002), y=(inner.y.high, room.y.high)),
-        room.with_(x=(inner.x.low - 0.0002, inner.x.high + 0.0002), z=(room.z.low, inner.z.low)),
-    ]
     lip = face.with_(y=(face.y.low - 0.013, face.y.low + 0.0004), z=(face.z.high - 0.016, face.z.high)).box(
         bevel=0.003
     )
     hold = ag.grasp_on(lip, approach=ag.Y, closing=ag.Z, depth=0.010)
     body = ag.weld(
         ag.part(face.box(bevel=0.0015), "front", casting(plan.panel, 0.10), name="drawer"),
-        ag.part([wall.box() for wall in walls], "drawer", casting(_STEEL, 0.45)),
+        ag.part(furniture.open_box(room, inner), "drawer", casting(_STEEL, 0.45)),
         ag.part(lip, "handle", casting(ag.material("aluminium"), 0.4), grasp=hold),
     )
     if not named:

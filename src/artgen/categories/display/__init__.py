@@ -50,6 +50,17 @@ class _Plan:
         """Position of the rear of the housing along y [m]."""
         return _THIN + _BULGE
 
+    @property
+    def axis(self) -> float:
+        """Position of the axis of the stand along y [m]."""
+        return self.back + _BEHIND + 0.016
+
+    def neck(self, end: float) -> list[ag.Solid]:
+        """Make the pin of the tilt and its neck, back to a position along y."""
+        y, z = self.back + 0.020, self.level
+        bar = ag.Region((-0.016, 0.016), (y, end), (z - 0.013, z + 0.013)).box(bevel=0.003)
+        return [bar, ag.cylinder(0.013, 0.046, axis=ag.X, bevel=0.002).at(0, y, z)]
+
 
 @ag.category(
     labels="base column carriage screen bezel housing display hinge button port vent foot rating_plate print",
@@ -88,11 +99,10 @@ def display(
     wide, tall = 0.02214 * inches + 2 * margin, 0.01245 * inches + 2 * margin
     plan = _Plan(style, wide, tall, raised + tall / 2, case, metal, maker)
     screen = _screen(plan, margin, picture, keys)
-    limits = (-0.08, 0.33)
     pivot = (0, plan.back + 0.020, plan.level)
     hold = feel.Feel(friction=0.06 * 9.81 * screen.mass(), damping=0.15, effort=60.0)
-    tilt = ag.Revolute("screen_tilt", axis=-ag.X, pivot=pivot, limits=limits, feel=hold)
-    base, column = _base(plan, foot), plan.back + _BEHIND + 0.016
+    tilt = ag.Revolute("screen_tilt", axis=-ag.X, pivot=pivot, limits=(-0.08, 0.33), feel=hold)
+    base, column = _base(plan, foot), plan.axis
     turn = ag.Revolute(
         "stand_swivel", axis=ag.Z, pivot=(0, column, 0), limits=(-0.78, 0.78),
         feel=feel.Feel(friction=0.6, damping=0.1, effort=30.0),
@@ -178,7 +188,7 @@ def _rear(plan: _Plan, room: ag.Region) -> list[ag.Body]:
 
 def _base(plan: _Plan, foot: str) -> ag.Body:
     """Make the base about the axis of its column."""
-    y = plan.back + _BEHIND + 0.016
+    y = plan.axis
     size = 0.36 * plan.wide
     if foot == "disc":
         solid = ag.cylinder(ag.max_(0.5 * size, 0.11), 0.010, bevel=0.002).at(0, y - 0.03, 0.007)
@@ -197,7 +207,7 @@ def _base(plan: _Plan, foot: str) -> ag.Body:
 
 def _column(plan: _Plan, travel: ag.Scalar) -> ag.Body:
     """Make the column that turns on the base, with the rail of the carriage."""
-    y, top = plan.back + _BEHIND + 0.016, plan.level + 0.008 + travel
+    y, top = plan.axis, plan.level + 0.008 + travel
     disc = ag.cylinder(0.046, 0.010, bevel=0.002).at(0, y, 0.0128 + 0.005)
     post = ag.Region((-0.030, 0.030), (y - 0.016, y + 0.016), (0.020, top)).box(bevel=0.006)
     hole = ag.detail(
@@ -218,17 +228,13 @@ def _carriage(plan: _Plan) -> ag.Body:
     plate = ag.Region(
         (-0.026, 0.026), (face - 0.008, face - FIT.running), (plan.level - 0.072, plan.level + 0.004)
     )
-    neck = ag.Region(
-        (-0.016, 0.016), (plan.back + 0.020, face - 0.0075), (plan.level - 0.013, plan.level + 0.013)
-    )
-    pin = ag.cylinder(0.013, 0.046, axis=ag.X, bevel=0.002).at(0, plan.back + 0.020, plan.level)
-    solids = [plate.box(bevel=0.002), neck.box(bevel=0.003), pin]
+    solids = [plate.box(bevel=0.002), *plan.neck(face - 0.0075)]
     return ag.part(solids, "carriage", casting(plan.metal, 0.6), name="carriage")
 
 
 def _post(plan: _Plan) -> ag.Body:
     """Make the post of a stand that does not rise: to the hinge of a monitor, or to a television."""
-    y = plan.back + _BEHIND + 0.016
+    y = plan.axis
     if plan.style == "television":
         arm = ag.Region(
             (-0.055, 0.055), (plan.back - 0.001, y + 0.012), (plan.level - 0.12, plan.level - 0.06)
@@ -238,8 +244,4 @@ def _post(plan: _Plan) -> ag.Body:
         solids = [arm.box(bevel=0.004), post.box(bevel=0.004), disc]
         return ag.part(solids, "column", casting(plan.metal, 0.3))
     column = ag.Region((-0.024, 0.024), (y - 0.014, y + 0.014), (0.006, plan.level + 0.020)).box(bevel=0.005)
-    neck = ag.Region(
-        (-0.016, 0.016), (plan.back + 0.020, y - 0.013), (plan.level - 0.013, plan.level + 0.013)
-    )
-    pin = ag.cylinder(0.013, 0.046, axis=ag.X, bevel=0.002).at(0, plan.back + 0.020, plan.level)
-    return ag.part([column, neck.box(bevel=0.003), pin], "column", casting(plan.metal, 0.4))
+    return ag.part([column, *plan.neck(y - 0.013)], "column", casting(plan.metal, 0.4))

@@ -20,7 +20,7 @@ from typing import Literal
 
 import artgen as ag
 from artgen import details
-from artgen.categories.shared import controls
+from artgen.categories.shared import controls, vessels
 from artgen.nodes.fitting import FIT, Fitting
 
 Style = Literal["half", "full", "floor", "lit"]
@@ -295,9 +295,7 @@ def _frame(outer: ag.Scalar, center: ag.Vector, height: ag.Scalar, legs: int, wo
     """Make a frame of wood: legs with a stretcher, a cradle, and a horizon around the meridian."""
     inner, wide = outer + 0.006, 0.052
     board = ag.tube(inner + wide, inner - 0.0004, 0.018, bevel=0.002).at(z=center.z)
-    sides = ag.regular_polygon(_SIDES, 1.0)
-    ring = sides.scale(inner + wide - 0.0004) - sides.scale(inner / math.cos(math.pi / _SIDES))
-    core = ag.extrude(ring, 0.0174).at(z=center.z)
+    core = vessels.hoop(inner + wide - 0.0004, inner, 0.0174, _SIDES).at(z=center.z)
     places = [math.pi / 4 + math.tau * at / legs for at in range(legs)]
     far = inner + wide - 0.024
     posts, bars = [], []

@@ -17,7 +17,7 @@ from typing import Literal
 
 import artgen as ag
 from artgen import details, feel
-from artgen.categories.shared import controls
+from artgen.categories.shared import controls, furniture
 from artgen.categories.shared.finish import colors
 from artgen.nodes.fitting import Fitting
 
@@ -172,16 +172,10 @@ def _rear(plan: _Plan) -> list[ag.Body]:
 
 
 def _cassette(bay: ag.Region, plan: _Plan) -> ag.Body:
-    """Make a cassette in its bay with paper, and a lip under its front."""
+    """Make a cassette in its bay, with a lip on its front and paper in it."""
     face = bay.shrink(0.0012, front=-0.0025, back=0).with_(y=(bay.y.low - 0.0025, bay.y.low + 0.010))
     room = bay.shrink(left=0.0015, right=0.0015, bottom=0.0015, top=0.010, front=0.0095, back=0.004)
     inner = room.shrink(0.0022, front=0.0, top=0.0)
-    walls = [
-        room.with_(x=(room.x.low, inner.x.low)),
-        room.with_(x=(inner.x.high, room.x.high)),
-        room.with_(x=(inner.x.low - 0.0002, inner.x.high + 0.0002), y=(inner.y.high, room.y.high)),
-        room.with_(x=(inner.x.low - 0.0002, inner.x.high + 0.0002), z=(room.z.low, inner.z.low)),
-    ]
     lip = ag.Region(
         (-0.055, 0.055), (face.y.low - 0.011, face.y.low + 0.0005), (face.z.high - 0.018, face.z.high - 0.004)
     )
@@ -195,7 +189,7 @@ def _cassette(bay: ag.Region, plan: _Plan) -> ag.Body:
     )
     return ag.weld(
         ag.part(face.box(bevel=0.002), "cassette", plan.trim, name="cassette"),
-        ag.part([wall.box() for wall in walls], "cassette", _DARK),
+        ag.part(furniture.open_box(room, inner), "cassette", _DARK),
         ag.part(bar, "handle", plan.trim, grasp=hold),
         ag.part(sheets.box(), "paper", _PAPER),
     )

@@ -167,6 +167,18 @@ _TUBE = 0.25  # share of steel in a square tube of 22 mm with walls of 1.5 mm
 _SIDES = 16  # sides of the collider of a round leg: MJX reads faces of at most 20 corners
 
 
+def open_box(room: ag.Region, inner: ag.Region) -> list[ag.Solid]:
+    """Make the sides, the back and the floor of a drawer between two regions; its front is another part."""
+    wide = (inner.x.low - 0.0002, inner.x.high + 0.0002)
+    walls = (
+        room.with_(x=(room.x.low, inner.x.low)),
+        room.with_(x=(inner.x.high, room.x.high)),
+        room.with_(x=wide, y=(inner.y.high, room.y.high)),
+        room.with_(x=wide, z=(room.z.low, inner.z.low)),
+    )
+    return [wall.box() for wall in walls]
+
+
 @dataclass(frozen=True)
 class Carcass:
     """A box of boards."""

@@ -138,6 +138,12 @@ def ring_wall(foot: ag.Scalar, rim: ag.Scalar, tall: ag.Scalar, wall: float, cou
     return ag.loft(out, [low, tall - 0.0002]) - ag.loft(inside, [low - 0.0001, tall])
 
 
+def hoop(outer: ag.Scalar, inner: ag.Scalar, tall: ag.Scalar, count: int) -> ag.Solid:
+    """Make a faceted ring about the origin, which collides inside a smooth one."""
+    sides = ag.regular_polygon(count, 1.0)
+    return ag.extrude(sides.scale(outer) - sides.scale(inner / math.cos(math.pi / count)), tall)
+
+
 def swinging_handles(
     body: ag.Body,
     radius: ag.Scalar,
