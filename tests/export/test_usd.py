@@ -571,6 +571,19 @@ def test_losses_name_what_usd_cannot_say(cabinet, nested):
     assert lost["joint that does not stand at 0"] == "swing, spin"
 
 
+@pytest.mark.parametrize("ratio", [2.0, 1 / 12, -1 / 720])
+def test_a_slow_follower_without_limits_has_none_that_count(nested, tmp_path, ratio):
+    spin = nested.joint("spin")
+    slow = replace(spin, follows=replace(spin.follows, ratio=ratio))
+    asset = replace(nested, joints=tuple(slow if each is spin else each for each in nested.joints))
+    stage = _opened(asset, tmp_path)
+    for name in ("wrist", "spin"):
+        joint = UsdPhysics.RevoluteJoint(_prim(stage, f"joints/{name}"))
+        low, high = joint.GetLowerLimitAttr().Get(), joint.GetUpperLimitAttr().Get()
+        assert low < -1e5 * 180 / np.pi
+        assert high > 1e5 * 180 / np.pi
+
+
 def test_bytes_do_not_depend_on_the_process():
     program = (
         "import hashlib, conftest; from artgen.export.usd import write_usd\n"

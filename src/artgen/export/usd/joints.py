@@ -259,7 +259,10 @@ def _written_limits(asset: Asset) -> dict[str, tuple[float, float] | None]:
 
 def _wide(asset: Asset, joint: AssetJoint) -> tuple[float, float]:
     if joint.follows is None or joint.follows.curve is not None:
-        return -_FAR, _FAR
+        laws = [each.follows for each in asset.joints if each.follows and each.follows.leader == joint.name]
+        slowest = min((abs(law.ratio) for law in laws if not law.curve and law.ratio), default=1.0)
+        far = _FAR / min(1.0, slowest)  # slow followers are not to have limits that count as real ones
+        return -far, far
     ends = _wide(asset, asset.joint(joint.follows.leader))
     low, high = sorted(joint.follows.ratio * end + joint.follows.offset for end in ends)
     return low, high
