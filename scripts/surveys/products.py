@@ -212,6 +212,14 @@ PRODUCTS: Mapping[str, tuple[Product, ...]] = {
         Product("air fryer with two drawers", (0.37, 0.43), (0.38, 0.48), (0.28, 0.345), (7.0, 11.0)),
     ),
     # 8-12 cups; the handle of the jug stands out by 0.04 m; it is half full
+    # shops, with lens and clip; levers and rings stand out
+    "camera": (
+        Product("compact camera", (0.094, 0.113), (0.024, 0.036), (0.055, 0.070), (0.12, 0.30)),
+        Product("reflex camera", (0.126, 0.145), (0.115, 0.145), (0.095, 0.122), (0.55, 1.0)),
+        Product("camera for film", (0.136, 0.153), (0.090, 0.112), (0.085, 0.102), (0.40, 0.95)),
+        Product("instant camera", (0.105, 0.123), (0.090, 0.112), (0.105, 0.130), (0.35, 0.70)),
+        Product("webcam", (0.075, 0.100), (0.040, 0.060), (0.070, 0.090), (0.07, 0.20)),
+    ),
     # shops; rays stand out to 1.9 times the radius of the disc
     "clock": (
         Product("clock for a wall", (0.22, 0.39), (0.02, 0.05), (0.22, 0.39), (0.2, 2.4)),

@@ -1,4 +1,4 @@
-"""What is special to a clock: what its hands show, knobs that set them, doors, pendulums, keys that return."""
+"""What is special to a clock: what its hands show, knobs that set them, doors, pendulums, keys."""
 
 import math
 from functools import lru_cache

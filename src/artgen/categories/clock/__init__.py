@@ -35,6 +35,7 @@ that stand on the floor with a pendulum, or one with digits."""
 _FRONT = REACH + 0.0050  # from the dial to the front of a rim [m]
 _BACK = 0.016  # from the dial to the back of a clock for walls [m]
 _DEEP = 0.030  # from the dial to the back of a clock with bells [m]
+_SLOPE = 0.26 / math.hypot(0.26, 0.42)  # sine of the angle between a leg and the vertical
 _SIDES = 24  # facets of the solid inside a rim
 _LENS = ag.material("glass").with_(name="lens")
 _PAPERS = {"white": (0.82, 0.82, 0.80), "cream": (0.72, 0.64, 0.48), "black": (0.02, 0.02, 0.022)}
@@ -151,7 +152,8 @@ def clock(
         return _belled(face, wide / 2, finish, metal)
     deep = 0.24 if style == "longcase" else 0.125
     case = cases.Case(wide, slender * wide, deep, finish, metal, top, face)
-    return cases.longcase(case) if style == "longcase" else cases.small(case, hung=style == "regulator")
+    made = cases.longcase(case) if style == "longcase" else cases.small(case, hung=style == "regulator")
+    return made.at(y=0.009 - deep / 2)
 
 
 def _drum(radius: ag.Scalar, rim: float, back: float, finish: ag.Material, share: float) -> ag.Body:
@@ -189,9 +191,9 @@ def _square(half: ag.Scalar, rim: float, finish: ag.Material) -> ag.Body:
 
 def _wall(face: Face, shape: str, radius: ag.Scalar, finish: ag.Material, metal: ag.Material) -> ag.Body:
     """Make a clock for a wall, its lowest point on the floor."""
-    rim = 0.012
+    rim, bare = 0.012, shape in ("bare", "rays")
     low = radius
-    if shape in ("round", "square"):
+    if not bare:
         body = _drum(radius, rim, _BACK, finish, 0.3) if shape == "round" else _square(radius, rim, finish)
         plate = face.disc(radius - rim + 0.0004)
         if shape == "square":
@@ -210,7 +212,9 @@ def _wall(face: Face, shape: str, radius: ag.Scalar, finish: ag.Material, metal:
             start, end = (ag.vector(y=0.5 * _BACK) + share * radius * way for share in (0.96, far))
             rods.append(ag.cylinder_between(start, end, 0.0022 if number % 2 else 0.0030))
         body = ag.weld(body, ag.part(rods, "ray", metal))
-    return face.with_hands(ag.weld(body, *_mount(radius)), (0, 0, 0)).at(0, -_BACK, low)
+    return face.with_hands(ag.weld(body, *_mount(radius)), (0, 0, 0)).at(
+        0, ((0.0 if bare else _FRONT) - _BACK) / 2, low
+    )
 
 
 def _mount(radius: ag.Scalar) -> list[ag.Body]:
@@ -255,7 +259,7 @@ def _belled(face: Face, radius: ag.Scalar, finish: ag.Material, metal: ag.Materi
         _plate(radius, face.maker),
     )
     body = _with_hammer(body, radius, metal)
-    return _with_knobs(body, face).at(z=1.16 * radius + 0.003)
+    return _with_knobs(body, face).at(0, (_FRONT - _DEEP) / 2, 1.16 * radius + 0.0042 * _SLOPE)
 
 
 def _carrier(radius: ag.Scalar, metal: ag.Material) -> ag.Body:
