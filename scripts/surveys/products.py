@@ -285,6 +285,18 @@ PRODUCTS: Mapping[str, tuple[Product, ...]] = {
         Product("scissors", (0.055, 0.095), (0.122, 0.262), (0.008, 0.015), (0.02, 0.40)),
         Product("tongs", (0.04, 0.055), (0.23, 0.315), (0.03, 0.04), (0.09, 0.19)),
     ),
+    # closed; hinges, levers and triggers stand out by up to 8 mm
+    "lighter": (
+        Product("pocket lighter", (0.023, 0.045), (0.012, 0.018), (0.054, 0.084), (0.013, 0.13)),
+        Product("table lighter", (0.069, 0.096), (0.069, 0.096), (0.070, 0.098), (0.18, 1.4)),
+        Product("stick lighter", (0.248, 0.292), (0.034, 0.042), (0.016, 0.024), (0.045, 0.09)),
+    ),
+    # closed; studs, heads of screws and clips stand out by up to 5 mm
+    "knife": (
+        Product("pocket knife", (0.082, 0.130), (0.012, 0.022), (0.022, 0.033), (0.040, 0.22)),
+        Product("cutter", (0.130, 0.175), (0.017, 0.030), (0.014, 0.028), (0.018, 0.11)),
+        Product("utility knife", (0.148, 0.168), (0.019, 0.027), (0.033, 0.039), (0.12, 0.22)),
+    ),
     # lenses of 46-58 mm, folded; tips of temples stand out by up to 0.01 m on both sides
     "eyeglasses": (
         Product("full rim", (0.132, 0.178), (0.018, 0.056), (0.024, 0.066), (0.016, 0.040)),

@@ -266,6 +266,22 @@ CHECKLIST: dict[str, dict[str, Moving]] = {
         "inner drawer": slides("inner_drawer_slide", (0, 1, 2, 3)),
         "outer drawer": slides("outer_drawer_slide", (0, 1, 2)),
     },
+    "lighter": {
+        "lid": turns("lid_hinge", (0, 1)),
+        "wheel": turns("wheel_turn", (0, 1), unlimited=True),
+        "lever": turns("lever_press", (0, 1)),
+        "snuffer": turns("snuffer_hinge", (0, 1)),
+        "button": slides("button_slide", (0, 1)),
+        "trigger": slides("trigger_slide", (0, 1)),
+        "insert": slides("insert_lift", (0, 1)),
+    },
+    "knife": {
+        "blade that turns": turns("blade_hinge", (0, 1)),
+        "blade that slides": slides("blade_slide", (0, 1)),
+        "tool": turns("(opener|lifter)_hinge", (0, 2)),
+        "ring": turns("ring_turn", (0, 1)),
+        "screw": turns("lock_turn", (0, 1)),
+    },
     "eyeglasses": {"temple": turns("temple_hinge(_right|_left)", (2,))},
     "globe": {
         "ball": turns("ball_spin", (1,), unlimited=True),
