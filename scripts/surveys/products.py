@@ -110,6 +110,13 @@ PRODUCTS: Mapping[str, tuple[Product, ...]] = {
         Product("laser printer", (0.36, 0.42), (0.37, 0.43), (0.21, 0.32), (7.0, 15.0)),
         Product("laser printer with a scanner", (0.39, 0.45), (0.39, 0.46), (0.34, 0.54), (12.0, 25.0)),
     ),
+    # with cells; the rings of fobs stick out by 0.032 m
+    "remote": (
+        Product("remote of a television", (0.045, 0.055), (0.14, 0.27), (0.020, 0.027), (0.07, 0.16)),
+        Product("remote of a streaming stick", (0.038, 0.044), (0.11, 0.17), (0.018, 0.022), (0.04, 0.08)),
+        Product("remote of an air conditioner", (0.052, 0.063), (0.15, 0.21), (0.023, 0.028), (0.09, 0.17)),
+        Product("fob", (0.034, 0.046), (0.08, 0.13), (0.014, 0.019), (0.015, 0.06)),
+    ),
     # bodies of 0.45 or 0.60 x 0.57-0.62 x 0.82-0.88 m; handles and hoses stand out by up to 0.06 m
     "dishwasher": (
         Product("slim dishwasher", (0.44, 0.46), (0.56, 0.68), (0.81, 0.89), (30.0, 45.0)),

@@ -283,6 +283,15 @@ CHECKLIST: dict[str, dict[str, Moving]] = {
         "beater": turns("beater_spin", (1,), unlimited=True),
         "speed": turns("knob_turn", (1,)),
     },
+    "remote": {
+        "key": slides(
+            "key_press", (1, 2, 3, 4, 12, 13, 15, 16, 17, 18, 21, 24, 27, 29, 30, 33, 36, 39, 42, 45)
+        ),
+        "battery cover": slides("battery_slide", (0, 1)),
+        "cover over keys": slides("front_slide", (0, 1)),
+        "blade of a key": turns("blade_turn", (0, 1)),
+        "ring of a fob": turns("ring_swing", (0, 1)),
+    },
     "safe": {
         "door": turns("door_hinge", (1,)),
         "bolts": slides("bolts_slide", (1,)),
