@@ -211,6 +211,13 @@ CHECKLIST: dict[str, dict[str, Moving]] = {
         "crank": turns("crank_turn", (0, 1), unlimited=True),
         "knob of the crank": turns("knob_spin", (0, 1), unlimited=True),
     },
+    "phone": {
+        "lid": turns("lid_hinge", (0, 1)),
+        "upper half": slides("slide_up", (0, 1)),
+        "key": slides("key_press", (0, 15, 18, 20, 25)),
+        "key in the side": slides("(volume_up|volume_down|power)_press", (0, 3)),
+        "handset": slides("handset_lift", (0, 1)),
+    },
     "plier": {"jaw": turns("jaw_hinge", (1,)), "slip joint": slides("pivot_slide", (0, 1))},
     "pot": {
         "lid that lifts off": slides("lid_lift", (0, 1)),
