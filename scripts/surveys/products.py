@@ -110,6 +110,21 @@ PRODUCTS: Mapping[str, tuple[Product, ...]] = {
         Product("laser printer", (0.36, 0.42), (0.37, 0.43), (0.21, 0.32), (7.0, 15.0)),
         Product("laser printer with a scanner", (0.39, 0.45), (0.39, 0.46), (0.34, 0.54), (12.0, 25.0)),
     ),
+    # closed; handsets stand above a desk telephone by 0.033 m
+    "phone": (
+        Product("flip phone", (0.049, 0.055), (0.098, 0.110), (0.017, 0.023), (0.08, 0.13)),
+        Product("slider", (0.048, 0.054), (0.097, 0.107), (0.015, 0.020), (0.095, 0.135)),
+        Product("phone in one piece", (0.047, 0.053), (0.110, 0.128), (0.0125, 0.017), (0.07, 0.11)),
+        Product("folding smartphone", (0.070, 0.074), (0.083, 0.089), (0.0145, 0.0185), (0.17, 0.20)),
+        Product("desk telephone", (0.17, 0.21), (0.20, 0.24), (0.085, 0.13), (0.55, 1.0)),
+    ),
+    # with cells; the rings of fobs stick out by 0.032 m
+    "remote": (
+        Product("remote of a television", (0.045, 0.055), (0.14, 0.27), (0.020, 0.027), (0.07, 0.16)),
+        Product("remote of a streaming stick", (0.038, 0.044), (0.11, 0.17), (0.018, 0.022), (0.04, 0.08)),
+        Product("remote of an air conditioner", (0.052, 0.063), (0.15, 0.21), (0.023, 0.028), (0.09, 0.17)),
+        Product("fob", (0.034, 0.046), (0.08, 0.13), (0.014, 0.019), (0.015, 0.06)),
+    ),
     # bodies of 0.45 or 0.60 x 0.57-0.62 x 0.82-0.88 m; handles and hoses stand out by up to 0.06 m
     "dishwasher": (
         Product("slim dishwasher", (0.44, 0.46), (0.56, 0.68), (0.81, 0.89), (30.0, 45.0)),

@@ -244,6 +244,13 @@ CHECKLIST: dict[str, dict[str, Moving]] = {
         "crank": turns("crank_turn", (0, 1), unlimited=True),
         "knob of the crank": turns("knob_spin", (0, 1), unlimited=True),
     },
+    "phone": {
+        "lid": turns("lid_hinge", (0, 1)),
+        "upper half": slides("slide_up", (0, 1)),
+        "key": slides("key_press", (0, 15, 18, 20, 25)),
+        "key in the side": slides("(volume_up|volume_down|power)_press", (0, 3)),
+        "handset": slides("handset_lift", (0, 1)),
+    },
     "plier": {"jaw": turns("jaw_hinge", (1,)), "slip joint": slides("pivot_slide", (0, 1))},
     "pot": {
         "lid that lifts off": slides("lid_lift", (0, 1)),
@@ -331,6 +338,15 @@ CHECKLIST: dict[str, dict[str, Moving]] = {
         "bowl that lifts off": slides("bowl_lift", (1,)),
         "beater": turns("beater_spin", (1,), unlimited=True),
         "speed": turns("knob_turn", (1,)),
+    },
+    "remote": {
+        "key": slides(
+            "key_press", (1, 2, 3, 4, 12, 13, 15, 16, 17, 18, 21, 24, 27, 29, 30, 33, 36, 39, 42, 45)
+        ),
+        "battery cover": slides("battery_slide", (0, 1)),
+        "cover over keys": slides("front_slide", (0, 1)),
+        "blade of a key": turns("blade_turn", (0, 1)),
+        "ring of a fob": turns("ring_swing", (0, 1)),
     },
     "safe": {
         "door": turns("door_hinge", (1,)),

@@ -22,7 +22,7 @@ from typing import Literal
 
 import artgen as ag
 from artgen import details, feel
-from artgen.categories.shared import controls, screens
+from artgen.categories.shared import controls, keypads, screens
 from artgen.categories.shared.finish import colors
 from artgen.nodes.fitting import FIT, Fitting
 
@@ -261,13 +261,8 @@ def _key(
     travel: float,
 ) -> Fitting:
     """Make a key with its print, which a spring returns."""
-    key = ag.part(cap, "key", finish, name=name, push=ag.push_on(cap, direction=-ag.Z), when=opened)
-    film = details.printed(sign, (0, 0, 0.0006), facing=ag.Z, material=ink, proud=0.0001)
-    spring, name = ag.Spring(preload=0.25, force=0.6), f"{name}_press"
-    press = ag.Prismatic(
-        name, axis=-ag.Z, limits=(0, travel), spring=spring, feel=feel.SWITCH, friction=0.02, effort=3.0
-    )
-    return Fitting.moving(ag.weld(key, film), press)
+    stroke = keypads.Stroke(travel)
+    return keypads.key(cap, finish, stroke, top=0.0006, sign=sign, ink=ink, when=opened, name=name)
 
 
 def _tray(case: ag.Material) -> Fitting:

@@ -2,6 +2,7 @@
 
 import functools
 import operator
+from collections.abc import Iterable
 
 import artgen as ag
 from artgen import details
@@ -33,6 +34,7 @@ def picture_films(
     *,
     facing: ag.VectorLike,
     up: ag.VectorLike | None = None,
+    dock: bool = True,
 ) -> list[ag.Body]:
     """Make the lit films of a picture on a pane; none for a dark screen.
 
@@ -42,6 +44,7 @@ def picture_films(
         at: Its middle on the pane [m].
         facing: Direction of the viewer.
         up: Direction of its upper edge.
+        dock: Whether it has the dock of a desktop, for a screen of 0.2 m or more.
     """
     if picture == "off":
         return []
@@ -52,17 +55,29 @@ def picture_films(
     )
     whole = ag.rectangle(wide, tall)
     land = ag.polygon([(x * wide, y * tall) for x, y in _RIDGE])
-    dock = ag.rectangle(0.30 * wide, 0.055 * tall, radius=0.004).at(0, -0.43 * tall)
+    if not dock:
+        return _films(((whole - land, sky), (land, hills)), at, facing, up)
+    tray = ag.rectangle(0.30 * wide, 0.055 * tall, radius=0.004).at(0, -0.43 * tall)
     icon = ag.rectangle(0.007, 0.007, radius=0.002)
     icons = functools.reduce(
         operator.or_, [icon.at(0.042 * wide * place, -0.43 * tall) for place in range(-3, 4)]
     )
     layers = (
         (whole - land, sky),
-        (land - dock, hills),
-        (dock - icons, _glowing("dock", (0.22, 0.24, 0.28))),
+        (land - tray, hills),
+        (tray - icons, _glowing("dock", (0.22, 0.24, 0.28))),
         (icons, _glowing("icons", (0.75, 0.78, 0.82))),
     )
+    return _films(layers, at, facing, up)
+
+
+def _films(
+    layers: Iterable[tuple[ag.Profile, ag.Material]],
+    at: tuple[ag.Scalar, ag.Scalar, ag.Scalar],
+    facing: ag.VectorLike,
+    up: ag.VectorLike | None,
+) -> list[ag.Body]:
+    """Make the lit films of profiles on a pane."""
     return [
         details.printed(profile, at, material=color, facing=facing, up=up, label="display", proud=0.00015)
         for profile, color in layers
