@@ -341,6 +341,12 @@ _DOCS = {
     "PressLampButton": "Press the button of the lamp.",
     "PressStapler": "Press the arm of the stapler down.",
     "PumpSoap": "Press the nozzle of the soap dispenser down.",
+    "OpenClockDoor": "Open the glazed door of the clock by 0.5 rad.",
+    "OpenFlipPhone": "Open the lid of the flip phone by 0.8 rad.",
+    "LiftHandset": "Lift the handset off the telephone, by 0.06 m.",
+    "PressRemoteButton": "Press a button of the remote control.",
+    "PressSnooze": "Press the bar on top of the alarm clock.",
+    "PressShutter": "Press the button of the camera's shutter.",
 }
 push_door = by_lever("handle", 0.3, 0.34, pushes=True)
 _press = one_joint("", "push", "prismatic", 0.8, back=FAR_BACK)
@@ -356,6 +362,7 @@ def _knob(part: str, share: float = 0.0, *, at_least: float = 0.0) -> Chooser:
     return one_joint(part, "grasp", "revolute", share, at_least=at_least, back=FAR_BACK)
 
 
+_SHUTTER = one_joint("shutter", "push", "prismatic", 0.8, back=FAR_BACK)
 _KEYS, _GRIPS = {"controls": choice("keypad", "mixed")}, {"handle": choice("bar", "pocket")}
 _BAILS = {"style": choice("household", "builder", "zinc", "wood")}
 _FLAT = {"burner": choice("radiant", "coil", "induction")}
@@ -406,6 +413,18 @@ _ROWS: dict[str, _Row] = {  # category, time limit [s], stages, overrides, raise
     "PressCoffeeButton": ("coffee_machine", 6.0, _press, {}, True),
     "PressLampButton": ("lamp", 6.0, _press, {"switch": "button"}, True),
     "PressStapler": ("stapler", 6.0, _tip, {"style": choice("full", "half")}, True),
+    "OpenClockDoor": ("clock", 10.0, _door, {"style": "mantel"}, True),
+    "OpenFlipPhone": ("phone", 10.0, _lid, {"style": "flip"}, True),
+    "LiftHandset": (
+        "phone",
+        8.0,
+        one_joint("handset", "grasp", "prismatic", at_least=0.06),
+        {"style": "desk"},
+        True,
+    ),
+    "PressRemoteButton": ("remote", 6.0, _press, {"style": choice("tv", "stick", "gate")}, True),
+    "PressSnooze": ("clock", 6.0, one_joint("snooze", "push", "prismatic", 0.8), {"style": "digital"}, True),
+    "PressShutter": ("camera", 6.0, _SHUTTER, {"style": choice("compact", "reflex", "film")}, True),
     "PumpSoap": ("soap_dispenser", 6.0, _press, {"style": choice("bottle", "holder")}, True),
 }
 TASKS = {
