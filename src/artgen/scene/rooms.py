@@ -27,6 +27,7 @@ from artgen.scene.room import GAP, STANDING, Placement, Wall
 
 _DESK = 0.70  # height of what stands under a desk [m]
 _GIFT: dict[str, Any] = {"style": "gift", "closure": "lift", "size": "small"}
+_CLOCK: dict[str, Any] = {"style": "mantel", "wide": 0.21, "slender": 1.5, "top": "flat"}
 _ROUND = 0.14  # radius of the corners of a bathtub [m]
 
 
@@ -56,8 +57,8 @@ def office(
 ) -> Asset:
     """Return an office, proven free of collisions in all states of all its joints.
 
-    It has a desk on drawers, a chair, a lamp, a laptop, a tall cabinet, a sideboard, boxes, a waste bin,
-    a window and a door. The arguments and errors are those of `bathroom`.
+    It has a desk on drawers, a chair, a lamp, a laptop or a monitor, a tall cabinet, a sideboard with a globe
+    or a clock, boxes, a waste bin, a window and a door. The arguments and errors are those of `bathroom`.
     """
     return _room("office", _office, ((2.9, 3.8), (2.6, 3.3)), seed, (width, depth), detail)
 
@@ -67,8 +68,8 @@ def living_room(
 ) -> Asset:
     """Return a living room, proven free of collisions in all states of all its joints.
 
-    It has one or two recliners with a side table before a screen, low units, a glass cabinet, a floor lamp, a
-    fan, boxes, a bottle, a window and a door. The arguments and errors are those of `bathroom`.
+    It has one or two recliners with a side table before a screen, low units with a clock, a glass cabinet, a
+    floor lamp, a fan, boxes, a bottle, a window and a door. The arguments and errors are those of `bathroom`.
     """
     return _room("living_room", _living_room, ((3.5, 4.3), (3.3, 4.0)), seed, (width, depth), detail)
 
@@ -78,8 +79,8 @@ def workshop(
 ) -> Asset:
     """Return the corner of a workshop, proven free of collisions in all states of all its joints.
 
-    It has a bench on drawers and cabinets, wall units, pliers, a box, a waste bin, a window and a door. The
-    arguments and errors are those of `bathroom`.
+    It has a bench on drawers and cabinets, wall units, pliers, a cutter, a can of paint, a box, a waste bin,
+    a window and a door. The arguments and errors are those of `bathroom`.
     """
     return _room("workshop", _workshop, ((2.4, 3.4), (2.0, 2.8)), seed, (width, depth), detail)
 
@@ -195,7 +196,10 @@ def _office(here: Furnisher) -> None:
     style, switch = here.choice(("mushroom", "button"), ("mushroom", "rocker"), ("table", "pull_chain"))
     room.on(top, "lamp", at=near, deep=0.1, turn=turn, free=True, style=style, switch=switch)
     _box_on(here, top, far, 0.25)
-    room.on(top, "laptop", at=0.5, deep=0.97, free=True)  # a hand opens it before the edge
+    if here.choice(True, False):
+        room.on(top, "display", at=0.5, deep=0.25, style="tilting", inches=here.choice(22, 24), raised=0.08)
+    else:
+        room.on(top, "laptop", at=0.5, deep=0.97, free=True)  # a hand opens it before the edge
     room.on(top, "bottle", at=0.28 if flip else 0.72, deep=0.2, free=True, style=here.choice("screw", "flip"))
     here.window("back", start + desk / 2.0, z=1.2, width=1.2, height=1.0)
     tall = {
@@ -213,6 +217,10 @@ def _office(here: Furnisher) -> None:
         sides[0], "cabinet", at=0.1 if flip else depth - 0.9, name="sideboard", **here.base | PLINTH | low
     )
     _box_on(here, board, 0.2, 0.5)
+    if here.choice(True, False):
+        room.on(board, "globe", at=0.85, deep=0.5, free=True, style="half", diameter=here.uniform(0.18, 0.24))
+    else:
+        room.on(board, "clock", at=0.85, deep=0.5, free=True, **_CLOCK)
     room.against(sides[1], "trashcan", at=0.85 if flip else depth - 1.17, style="open", size="medium")
     # a chair faces the desk; it turns, with its back tilted, clear of the desk and of open drawers
     knees = start + 0.5 * desk + (0.0 if two else -0.21 if flip else 0.21)
@@ -229,6 +237,7 @@ def _living_room(here: Furnisher) -> None:
     drawers = here.unit("back", start + unit + GAP, unit, doors=False, rows=2, **low)
     room.on(doors, "bottle", at=0.05, deep=0.5, free=True, style="stopper")
     _box_on(here, drawers, 0.95, 0.5)
+    room.on(drawers, "clock", at=0.1, deep=0.5, free=True, **_CLOCK)
     screen = (0.5 * width - 0.56, 0.5 * width + 0.56)
     here.board("screen", "back", screen, (-0.048, -0.012), (0.95, 1.58), material("black_glass"))
     # recliners face the screen, with the table beside them
@@ -277,6 +286,8 @@ def _workshop(here: Furnisher) -> None:
     here.door(side, 0.0 if side == "left" else depth - DOORWAY)
     other: Wall = "right" if side == "left" else "left"
     room.against(other, "trashcan", at=0.1 if other == "left" else depth - 0.5, style="swing", size="large")
+    room.on(top, "knife", at=0.9, deep=0.85, free=True, style="cutter")
+    room.on(top, "bucket", at=0.97, deep=0.15, free=True, style="paint", litres=here.choice(1, 3))
 
 
 def _hall(here: Furnisher) -> None:
@@ -449,9 +460,13 @@ ROOMS: Mapping[str, Room] = {
             ),
             ("chimney", "filler", "hood", "key", "panel", "plinth", "worktop"),
         ),
-        Room(living_room, (*_FRONTS, "bottle", "box", "chair", "fan", "lamp", "table"), ("screen",)),
-        Room(office, (*_FRONTS, "bottle", "box", "chair", "lamp", "laptop", "trashcan"), ("side", "worktop")),
-        Room(workshop, (*_FRONTS, "box", "plier", "trashcan"), ("worktop",)),
+        Room(living_room, (*_FRONTS, "bottle", "box", "chair", "clock", "fan", "lamp", "table"), ("screen",)),
+        Room(
+            office,
+            (*_FRONTS, "bottle", "box", "chair", "clock", "display", "globe", "lamp", "laptop", "trashcan"),
+            ("side", "worktop"),
+        ),
+        Room(workshop, (*_FRONTS, "box", "bucket", "knife", "plier", "trashcan"), ("worktop",)),
     )
 }
 """Kinds of rooms by name."""

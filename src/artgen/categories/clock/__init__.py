@@ -235,12 +235,14 @@ def _belled(face: Face, radius: ag.Scalar, finish: ag.Material, metal: ag.Materi
     rim = 0.006
     body = _drum(radius, rim, _DEEP, finish, 0.32)
     body = ag.weld(body, face.disc(radius - rim + 0.0004), *face.printed())
-    legs, bells, posts = [], [], []
+    sole = -1.16 * radius - 0.0042 * _SLOPE
+    strut = ag.cylinder_between((0, _DEEP - 0.006, -0.8 * radius), (0, _DEEP - 0.006, sole), 0.0042)
+    legs, bells, posts = [strut], [], []
     for side in (-1, 1):
         legs.append(
             ag.cylinder_between(
-                (side * 0.52 * radius, 0.006, -0.74 * radius),
-                (side * 0.78 * radius, 0.006, -1.16 * radius),
+                (side * 0.52 * radius, -0.006, -0.74 * radius),
+                (side * 0.78 * radius, -0.006, -1.16 * radius),
                 0.0042,
             )
         )
@@ -259,7 +261,7 @@ def _belled(face: Face, radius: ag.Scalar, finish: ag.Material, metal: ag.Materi
         _plate(radius, face.maker),
     )
     body = _with_hammer(body, radius, metal)
-    return _with_knobs(body, face).at(0, (_FRONT - _DEEP) / 2, 1.16 * radius + 0.0042 * _SLOPE)
+    return _with_knobs(body, face).at(0, (_FRONT - _DEEP) / 2, -sole)
 
 
 def _carrier(radius: ag.Scalar, metal: ag.Material) -> ag.Body:
