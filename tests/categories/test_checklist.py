@@ -233,6 +233,13 @@ CHECKLIST: dict[str, dict[str, Moving]] = {
         "inner drawer": slides("inner_drawer_slide", (0, 1, 2, 3)),
         "outer drawer": slides("outer_drawer_slide", (0, 1, 2)),
     },
+    "usb_stick": {
+        "body": turns("body_turn", (0, 1)),
+        "plug": slides("plug_slide", (0, 1)),
+        "cap": slides("cap_slide", (0, 1)),
+        "tube": turns("cap_turn", (0, 1)),
+        "rise of a tube": slides("cap_turn_rise", (0, 1)),
+    },
     "pen": {
         "button": slides("button_slide", (0, 1)),
         "top": turns("top_turn", (0, 1)),
