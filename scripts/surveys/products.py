@@ -300,6 +300,17 @@ PRODUCTS: Mapping[str, tuple[Product, ...]] = {
         Product("scissors", (0.055, 0.095), (0.122, 0.262), (0.008, 0.015), (0.02, 0.40)),
         Product("tongs", (0.04, 0.055), (0.23, 0.315), (0.03, 0.04), (0.09, 0.19)),
     ),
+    # closed; sliders stand out by 3 mm
+    "usb_stick": (
+        Product("USB stick", (0.038, 0.075), (0.0165, 0.022), (0.0075, 0.0135), (0.007, 0.024)),
+        Product("rugged USB stick", (0.074, 0.090), (0.021, 0.028), (0.021, 0.028), (0.03, 0.065)),
+    ),
+    # lying, closed; clips stand out by up to 2 mm
+    "pen": (
+        Product("pen", (0.126, 0.150), (0.009, 0.0145), (0.010, 0.017), (0.005, 0.04)),
+        Product("marker", (0.128, 0.143), (0.0145, 0.0185), (0.0145, 0.0205), (0.012, 0.026)),
+        Product("highlighter", (0.102, 0.113), (0.024, 0.028), (0.015, 0.019), (0.017, 0.03)),
+    ),
     # closed; hinges, levers and triggers stand out by up to 8 mm
     "lighter": (
         Product("pocket lighter", (0.023, 0.045), (0.012, 0.018), (0.054, 0.084), (0.013, 0.13)),

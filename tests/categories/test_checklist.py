@@ -273,6 +273,21 @@ CHECKLIST: dict[str, dict[str, Moving]] = {
         "inner drawer": slides("inner_drawer_slide", (0, 1, 2, 3)),
         "outer drawer": slides("outer_drawer_slide", (0, 1, 2)),
     },
+    "usb_stick": {
+        "body": turns("body_turn", (0, 1)),
+        "plug": slides("plug_slide", (0, 1)),
+        "cap": slides("cap_slide", (0, 1)),
+        "tube": turns("cap_turn", (0, 1)),
+        "rise of a tube": slides("cap_turn_rise", (0, 1)),
+    },
+    "pen": {
+        "button": slides("button_slide", (0, 1)),
+        "top": turns("top_turn", (0, 1)),
+        "refill": slides("refill_slide", (0, 1)),
+        "cap that is drawn off": slides("cap_slide", (0, 1)),
+        "cap on a thread": turns("cap_turn", (0, 1)),
+        "rise of a cap": slides("cap_turn_rise", (0, 1)),
+    },
     "lighter": {
         "lid": turns("lid_hinge", (0, 1)),
         "wheel": turns("wheel_turn", (0, 1), unlimited=True),

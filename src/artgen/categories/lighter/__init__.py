@@ -378,7 +378,7 @@ def _jet(width: ag.Scalar, height: ag.Scalar, press: ag.Scalar, finish: ag.Mater
         ag.detail(knob, "wheel", ag.material("brass")),
         details.engraved(_logo(maker, 0.0026, 0.021), (0.004, -deep / 2, 0.38 * level), material=finish),
     )
-    return body.attach(button, slide).attach(lid, hinge)
+    return body.attach(button, slide).attach(lid, hinge).at(z=0.0002)  # on the knob of its gas
 
 
 def _table(
@@ -449,7 +449,7 @@ def _table(
     lift = ag.Revolute("snuffer_hinge", axis=ag.Y, pivot=axis, follows=4.0 * swing, armature=2e-6)
     insert = insert.attach(lever, swing).attach(snuffer, lift)
     out = ag.Prismatic("insert_lift", axis=ag.Z, limits=(0, 0.050), feel=_LIFT)
-    return body.attach(insert, out)
+    return body.attach(insert, out).at(z=0.0002)  # on its felt
 
 
 def _stick(

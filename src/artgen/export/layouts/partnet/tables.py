@@ -17,6 +17,7 @@ CATEGORIES: Mapping[str, str] = {
     "cabinet": "StorageFurniture", "chair folding": "FoldingChair", "drawer": "StorageFurniture",
     "plier": "Pliers", "pot": "KitchenPot",
     "soap_dispenser": "Dispenser", "trash": "TrashCan", "trash_can": "TrashCan", "trashcan": "TrashCan",
+    "usb_stick": "USB",
 }  # fmt: skip
 """Names of categories in the dataset, by category or its style, that are not artgen's in camel case."""
 
