@@ -110,6 +110,14 @@ PRODUCTS: Mapping[str, tuple[Product, ...]] = {
         Product("laser printer", (0.36, 0.42), (0.37, 0.43), (0.21, 0.32), (7.0, 15.0)),
         Product("laser printer with a scanner", (0.39, 0.45), (0.39, 0.46), (0.34, 0.54), (12.0, 25.0)),
     ),
+    # cables stick out to the back by 0.082 m and to the right
+    "mouse": (
+        Product("plain mouse", (0.057, 0.076), (0.106, 0.202), (0.034, 0.042), (0.065, 0.11)),
+        Product("mouse for travel", (0.053, 0.062), (0.092, 0.104), (0.032, 0.039), (0.05, 0.085)),
+        Product("mouse for games", (0.061, 0.079), (0.116, 0.212), (0.037, 0.044), (0.065, 0.11)),
+        Product("mouse for the right hand", (0.061, 0.080), (0.110, 0.125), (0.040, 0.052), (0.09, 0.14)),
+        Product("upright mouse", (0.060, 0.090), (0.108, 0.125), (0.062, 0.080), (0.11, 0.165)),
+    ),
     # closed; handsets stand above a desk telephone by 0.033 m
     "phone": (
         Product("flip phone", (0.049, 0.055), (0.098, 0.110), (0.017, 0.023), (0.08, 0.13)),

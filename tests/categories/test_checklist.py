@@ -244,6 +244,12 @@ CHECKLIST: dict[str, dict[str, Moving]] = {
         "crank": turns("crank_turn", (0, 1), unlimited=True),
         "knob of the crank": turns("knob_spin", (0, 1), unlimited=True),
     },
+    "mouse": {
+        "button": turns("button_(left|right)_press", (2,)),
+        "wheel": turns("wheel_turn", (1,), unlimited=True),
+        "middle button": slides("axle_press", (1,)),
+        "key for the thumb": slides("thumb_press", (0, 2)),
+    },
     "phone": {
         "lid": turns("lid_hinge", (0, 1)),
         "upper half": slides("slide_up", (0, 1)),

@@ -338,7 +338,9 @@ def _case(plan: _Plan, room: ag.Region, corner: ag.Scalar, hold: ag.Scalar, *, f
     pair = [cell.at(x, cells.y.mid, _UNDER + 0.0054) for x in (-0.0055, 0.0055)]
     lens = ag.box(0.014, 0.0012, 0.005, bevel=0.0004).at(0, 0, 0.62 * room.z.size)
     words = (plan.maker.upper(), "2 x AAA 1.5 V", "MADE FOR INFRARED")
-    back = details.rating_plate(0.022, 0.010, words, at=(0, 0.4 * room.y.low, 0), facing=-ag.Z, up=ag.Y)
+    lines, ink = details.lettering(words, 0.0018, fineness="coarse"), controls.ink_on(plan.finish)
+    at = (0, 0.4 * room.y.low, 0)
+    back = details.printed(lines, at, material=ink, facing=-ag.Z, proud=0.0001, label="rating_plate")
     body = ag.weld(
         ag.part(solid, "body", casting(plan.finish, 0.42), name="body"),
         ag.part(pair, "battery", _CELL, separate="held by springs"),

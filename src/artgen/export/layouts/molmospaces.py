@@ -42,7 +42,7 @@ _SYNSETS: Mapping[str, str] = {
     "drawer": "drawer.n.01", "eyeglasses": "spectacles.n.01", "fan": "electric_fan.n.01",
     "faucet": "faucet.n.01", "globe": "globe.n.03", "handle": "handle.n.01", "kettle": "kettle.n.01",
     "knife": "knife.n.01", "lamp": "lamp.n.02", "laptop": "laptop.n.01", "lighter": "lighter.n.02",
-    "microwave": "microwave.n.02", "oven": "oven.n.01", "pen": "pen.n.01",
+    "microwave": "microwave.n.02", "mouse": "mouse.n.04", "oven": "oven.n.01", "pen": "pen.n.01",
     "pepper_grinder": "pepper_mill.n.01", "phone": "telephone.n.01", "plier": "pliers.n.01",
     "pot": "pot.n.01", "printer": "printer.n.03", "refrigerator": "refrigerator.n.01",
     "remote": "remote_control.n.01", "safe": "safe.n.01", "scissors": "scissors.n.01",
