@@ -37,6 +37,7 @@ from artgen.categories.knife.folding import (
     print_mark,
     ringed_knife,
 )  # fmt: skip
+from artgen.categories.shared import require_size
 from artgen.categories.shared.finish import casting, colors, recess
 from artgen.nodes.fitting import FIT
 
@@ -72,6 +73,9 @@ _TRIMS = {
     "cutter": ag.choice(*colors("abs", "black graphite red")),
     "utility": ag.choice(*colors("abs", "black yellow red")),
 }
+
+_LEAST = {"folding": 0.095, "hunter": 0.095, "ring": 0.09, "utility": 0.145}
+"""Least length of a handle by style [m]."""
 
 
 @ag.category(
@@ -127,13 +131,13 @@ def knife(
     maker: str = ag.choice(*details.BRANDS),
 ) -> ag.Body:
     """Make a knife whose blade is in its handle."""
+    length = require_size(length, (_LEAST.get(style, 0.08), 0.20), f"length of a {style} knife")
     match style:
         case "cutter":
             least = 0.128 if wide == 9 else 0.148
             length = ag.max_(length, least)
             return _cutter(length, wide, click, finish, trim, maker, screwed=lock == "screw")
         case "utility":
-            length = ag.require(length, length >= 0.145, "length of a utility knife must be >= 0.145 m")
             return _utility(length, click, finish, trim, maker)
         case "ring":
             return ringed_knife(length, point, torque, finish, maker)
