@@ -292,7 +292,7 @@ def _utility(
     seam = ag.extrude(outline.offset(0.0001) - outline.offset(-0.0004), 0.0004, axis=ag.Y)
     body = ag.weld(
         ag.part(case - cut, "handle", casting(finish.with_(density=6600.0), 0.30), name="handle"),
-        ag.detail(seam - slit.grow(z=0.01).box(), "handle", recess(finish)),
+        ag.detail(seam - slit.grow(z=0.01).box() - room, "handle", recess(finish)),
         mark,
         mark.rotate(ag.Z, math.pi).at(-0.50 * length),
         ag.detail(grooves, "handle", recess(finish)),

@@ -388,7 +388,7 @@ def _rugged(
     sheet = finish.with_(name=f"{finish.name}_tube", density=2000.0)
     end = ag.cylinder(radius, seam + half, axis=ag.X, bevel=0.0010).at((seam - half) / 2)
     core = ag.cylinder(0.72 * radius, 0.0160, axis=ag.X).at(seam + 0.0070)
-    seal = ag.torus(0.72 * radius, 0.0009, axis=ag.X).at(seam + 0.0040)
+    seal = ag.torus(0.71 * radius, 0.0006, axis=ag.X).at(seam + 0.0040)
     bands = [ag.tube(radius + 0.0006, radius - 0.001, 0.0034, axis=ag.X, bevel=0.0005).at(x)
              for x in (-half + 0.0060, seam - 0.0060)]  # fmt: skip
     rubber = ag.material("rubber")
