@@ -37,6 +37,7 @@ from artgen.categories.knife.folding import (
     print_mark,
     ringed_knife,
 )  # fmt: skip
+from artgen.categories.shared import require_size
 from artgen.categories.shared.finish import casting, colors, recess
 from artgen.nodes.fitting import FIT
 
@@ -72,6 +73,9 @@ _TRIMS = {
     "cutter": ag.choice(*colors("abs", "black graphite red")),
     "utility": ag.choice(*colors("abs", "black yellow red")),
 }
+
+_LEAST = {"folding": 0.095, "hunter": 0.095, "ring": 0.09, "utility": 0.145}
+"""Least length of a handle by style [m]."""
 
 
 @ag.category(
@@ -127,13 +131,13 @@ def knife(
     maker: str = ag.choice(*details.BRANDS),
 ) -> ag.Body:
     """Make a knife whose blade is in its handle."""
+    length = require_size(length, (_LEAST.get(style, 0.08), 0.20), f"length of a {style} knife")
     match style:
         case "cutter":
             least = 0.128 if wide == 9 else 0.148
             length = ag.max_(length, least)
             return _cutter(length, wide, click, finish, trim, maker, screwed=lock == "screw")
         case "utility":
-            length = ag.require(length, length >= 0.145, "length of a utility knife must be >= 0.145 m")
             return _utility(length, click, finish, trim, maker)
         case "ring":
             return ringed_knife(length, point, torque, finish, maker)
@@ -288,7 +292,7 @@ def _utility(
     seam = ag.extrude(outline.offset(0.0001) - outline.offset(-0.0004), 0.0004, axis=ag.Y)
     body = ag.weld(
         ag.part(case - cut, "handle", casting(finish.with_(density=6600.0), 0.30), name="handle"),
-        ag.detail(seam - slit.grow(z=0.01).box(), "handle", recess(finish)),
+        ag.detail(seam - slit.grow(z=0.01).box() - room, "handle", recess(finish)),
         mark,
         mark.rotate(ag.Z, math.pi).at(-0.50 * length),
         ag.detail(grooves, "handle", recess(finish)),

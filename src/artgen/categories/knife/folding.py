@@ -341,11 +341,11 @@ def multi_tool(length: ag.Scalar, torque: ag.Scalar, finish: ag.Material, maker:
         if left:
             made = made.mirror(ag.X).at(-apart)
         body = body.attach(made, _swing(f"{name}_hinge", 0.6 * torque, left=left, pivot=pivot))
-    return body.at(apart / 2 + 0.0073, 0, tall / 2 - middle)
+    return body.at(apart / 2 + 0.0078, 0, tall / 2 - middle)
 
 
 def _key_ring(x: ag.Scalar, z: float) -> ag.Body:
     """Make the ring for keys at the left end of a handle, and its eye."""
-    eye = ag.tube(0.0024, 0.0014, 0.0020, axis=ag.Y).at(x - 0.0008, 0, z)
-    loop = ag.torus(0.0065, 0.0006).at(x - 0.0076, 0, z)
+    eye = ag.tube(0.0024, 0.0014, 0.0016).at(x - 0.0008, -0.0020, z)
+    loop = ag.torus(0.0065, 0.0006, axis=ag.Y).at(x - 0.0086, -0.0020, z)
     return ag.detail([eye, loop], "clip", STEEL)

@@ -24,7 +24,7 @@ from typing import Literal
 
 import artgen as ag
 from artgen import details, feel
-from artgen.categories.shared import controls
+from artgen.categories.shared import controls, require_size
 from artgen.categories.shared.finish import casting, colors, recess
 from artgen.nodes.fitting import Fitting
 
@@ -56,6 +56,13 @@ _FINISHES = {
     "table": ag.choice("marble", "green_marble", "black_granite", "walnut", "brass", "oak"),
     "stick": ag.shades(*colors("abs", "red black blue yellow forest orange"), color=0.04),
 }  # fmt: skip
+
+_SPANS: dict[Style, tuple[tuple[float, float], tuple[float, float]]] = {
+    "petrol": ((0.050, 0.075), (0.034, 0.048)), "arc": ((0.060, 0.100), (0.034, 0.050)),
+    "gas": ((0.060, 0.100), (0.0235, 0.028)), "jet": ((0.055, 0.100), (0.038, 0.050)),
+    "table": ((0.060, 0.130), (0.060, 0.110)), "stick": ((0.220, 0.320), (0.0155, 0.025)),
+}  # fmt: skip
+"""Possible heights and widths by style [m]."""
 
 _ACCENTS = ag.choice(*colors("abs", "black red graphite white"))
 
@@ -122,6 +129,9 @@ def lighter(
     maker: str = ag.choice(*details.BRANDS),
 ) -> ag.Body:
     """Make a lighter that is closed and released."""
+    high, wide = _SPANS[style]
+    height = require_size(height, high, f"{'length' if style == 'stick' else 'height'} of a {style} lighter")
+    width = require_size(width, wide, f"width of a {style} lighter")
     match style:
         case "petrol":
             return _petrol(width, height, torque, finish, maker)
@@ -133,8 +143,7 @@ def lighter(
             return _jet(width, height, press, finish, maker)
         case "table":
             return _table(width, height, press, finish, square=shape == "square")
-    length = ag.require(height, height >= 0.22, "length of a stick lighter must be >= 0.22 m")
-    return _stick(length, width, press, finish, accent, maker)
+    return _stick(height, width, press, finish, accent, maker)
 
 
 def _boxed(

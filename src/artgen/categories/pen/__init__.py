@@ -22,7 +22,7 @@ from typing import Literal
 
 import artgen as ag
 from artgen import details, feel
-from artgen.categories.shared import controls
+from artgen.categories.shared import controls, require_size
 from artgen.categories.shared.finish import casting, colors
 
 Style = Literal["click", "twist", "hexagonal", "marker", "highlighter", "fountain"]
@@ -67,6 +67,13 @@ _FINISHES = {
         *colors("glossy_plastic", "black navy burgundy forest red yellow"), "brushed_aluminium", color=0.03
     ),
 }  # fmt: skip
+
+
+_SPANS: dict[Style, tuple[float, float]] = {
+    "click": (0.0094, 0.0160), "twist": (0.0092, 0.0140), "hexagonal": (0.0080, 0.0086),
+    "marker": (0.0140, 0.0220), "highlighter": (0.0230, 0.0300), "fountain": (0.0118, 0.0160),
+}  # fmt: skip
+"""Possible widths by style [m]."""
 
 
 @ag.category(labels="barrel grip button refill tip top ring clip cap section nib plug print", joints=(1, 2))
@@ -125,6 +132,7 @@ def pen(
     maker: str = ag.choice(*details.BRANDS),
 ) -> ag.Body:
     """Make a pen that lies on a desk, closed."""
+    width = require_size(width, _SPANS[style], f"width of a {style} pen")
     match style:
         case "click":
             return _click(length, width / 2, force, finish, trim, maker, soft=soft)

@@ -23,6 +23,13 @@ def require_suited(
     )
 
 
+def require_size(value: ag.Float, span: tuple[float, float], what: str) -> ag.Float:
+    """Reject a sample with a size outside a span [m]; `what` names the size, such as "length of a pen"."""
+    low, high = span
+    value = ag.require(value, value >= low, f"{what} must be >= {low:g} m")
+    return ag.require(value, value <= high, f"{what} must be <= {high:g} m")
+
+
 def recycling(size: ag.Scalar) -> ag.Profile:
     """Make the recycling sign about the origin: three arrows around a triangle."""
     unit = ag.polygon(

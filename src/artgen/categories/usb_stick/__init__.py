@@ -20,7 +20,7 @@ from typing import Literal
 
 import artgen as ag
 from artgen import details, feel
-from artgen.categories.shared import controls
+from artgen.categories.shared import controls, require_size
 from artgen.categories.shared.finish import casting, colors, recess
 
 Style = Literal["swivel", "slider", "dual", "cap", "rugged"]
@@ -50,6 +50,12 @@ _FINISHES = {
         "black_anodised", "brushed_aluminium", *colors("powder_coat", "olive red"), color=0.03
     ),
 }  # fmt: skip
+_SPANS: dict[Style, tuple[float, float]] = {
+    "swivel": (0.050, 0.080), "slider": (0.044, 0.070), "dual": (0.039, 0.060), "cap": (0.054, 0.090),
+    "rugged": (0.072, 0.100),
+}  # fmt: skip
+"""Possible lengths by style [m]."""
+
 _METALS = ag.choice("stainless", "brushed_aluminium", "chrome", "black_anodised", weights=(3, 2, 1, 1))
 _SIZES = ag.choice("16 GB", "32 GB", "64 GB", "128 GB", "256 GB")
 
@@ -98,6 +104,7 @@ def usb_stick(
     maker: str = ag.choice(*details.BRANDS),
 ) -> ag.Body:
     """Make a USB stick that lies on a desk, with its plug covered."""
+    length = require_size(length, _SPANS[style], f"length of a {style} USB stick")
     corner = 0.0025 if shape == "square" else 0.0065
     match style:
         case "swivel":
@@ -381,7 +388,7 @@ def _rugged(
     sheet = finish.with_(name=f"{finish.name}_tube", density=2000.0)
     end = ag.cylinder(radius, seam + half, axis=ag.X, bevel=0.0010).at((seam - half) / 2)
     core = ag.cylinder(0.72 * radius, 0.0160, axis=ag.X).at(seam + 0.0070)
-    seal = ag.torus(0.72 * radius, 0.0009, axis=ag.X).at(seam + 0.0040)
+    seal = ag.torus(0.71 * radius, 0.0006, axis=ag.X).at(seam + 0.0040)
     bands = [ag.tube(radius + 0.0006, radius - 0.001, 0.0034, axis=ag.X, bevel=0.0005).at(x)
              for x in (-half + 0.0060, seam - 0.0060)]  # fmt: skip
     rubber = ag.material("rubber")
