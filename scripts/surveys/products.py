@@ -110,13 +110,21 @@ PRODUCTS: Mapping[str, tuple[Product, ...]] = {
         Product("laser printer", (0.36, 0.42), (0.37, 0.43), (0.21, 0.32), (7.0, 15.0)),
         Product("laser printer with a scanner", (0.39, 0.45), (0.39, 0.46), (0.34, 0.54), (12.0, 25.0)),
     ),
-    # cables stick out to the back by 0.082 m and to the right
+    # with folded feet; knobs stand 0.015 m above the case
+    "keyboard": (
+        Product("pad of macros", (0.080, 0.100), (0.090, 0.115), (0.030, 0.042), (0.11, 0.30)),
+        Product("numeric pad", (0.080, 0.105), (0.100, 0.120), (0.014, 0.030), (0.06, 0.30)),
+        Product("keyboard of 60 %", (0.290, 0.312), (0.100, 0.118), (0.014, 0.030), (0.2, 0.75)),
+        Product("keyboard without a numeric pad", (0.352, 0.375), (0.120, 0.175), (0.014, 0.042), (0.3, 1.0)),
+        Product("full keyboard", (0.430, 0.460), (0.120, 0.175), (0.014, 0.042), (0.38, 1.3)),
+    ),
+    # cables stick out by 0.082 m, receivers by 0.007 m
     "mouse": (
         Product("plain mouse", (0.057, 0.076), (0.106, 0.202), (0.034, 0.042), (0.065, 0.11)),
-        Product("mouse for travel", (0.053, 0.062), (0.092, 0.104), (0.032, 0.039), (0.05, 0.085)),
+        Product("mouse for travel", (0.053, 0.062), (0.092, 0.112), (0.032, 0.039), (0.05, 0.085)),
         Product("mouse for games", (0.061, 0.079), (0.116, 0.212), (0.037, 0.044), (0.065, 0.11)),
-        Product("mouse for the right hand", (0.061, 0.080), (0.110, 0.125), (0.040, 0.052), (0.09, 0.14)),
-        Product("upright mouse", (0.060, 0.090), (0.108, 0.125), (0.062, 0.080), (0.11, 0.165)),
+        Product("mouse for the right hand", (0.061, 0.080), (0.110, 0.130), (0.040, 0.052), (0.09, 0.14)),
+        Product("upright mouse", (0.060, 0.090), (0.108, 0.130), (0.062, 0.080), (0.11, 0.165)),
     ),
     # closed; handsets stand above a desk telephone by 0.033 m
     "phone": (

@@ -205,6 +205,11 @@ CHECKLIST: dict[str, dict[str, Moving]] = {
         "folding handle": turns("bail_turn", (0, 1)),
         "whistle": turns("whistle_hinge", (0, 1)),
     },
+    "keyboard": {
+        "key": slides("key_press", (12, 17, 61, 87, 104)),
+        "knob": turns("knob_turn", (0, 1), unlimited=True),
+        "folding foot": turns("foot_hinge", (0, 2)),
+    },
     "lamp": {
         "arm_lower": turns("arm_lower_hinge", (0, 1)),
         "arm_upper": turns("arm_upper_hinge", (0, 1)),
@@ -249,6 +254,7 @@ CHECKLIST: dict[str, dict[str, Moving]] = {
         "wheel": turns("wheel_turn", (1,), unlimited=True),
         "middle button": slides("axle_press", (1,)),
         "key for the thumb": slides("thumb_press", (0, 2)),
+        "receiver": slides("receiver_slide", (0, 1)),
     },
     "phone": {
         "lid": turns("lid_hinge", (0, 1)),

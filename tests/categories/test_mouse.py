@@ -87,7 +87,7 @@ def test_sizes_and_masses_are_those_of_data_sheets(
 ) -> None:
     for seed in range(4):
         asset = made(seed, style=style, **({"wired": False} if style in ("plain", "game") else {}))
-        low, high = asset.bounds()
+        low, high = asset.link("body").bounds()
         assert size[0] < high[1] - low[1] < size[1]
         assert mass[0] < asset.mass < mass[1]
         assert np.all(high - low > 0.03)

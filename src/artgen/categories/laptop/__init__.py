@@ -38,10 +38,7 @@ _AXLE = 0.0036  # from the edge of screen and base to the axis of a hinge [m]
 _STEEL = ag.material("black_steel")
 _ROWS: tuple[tuple[tuple[str, float], ...], ...] = (
     (("esc", 1.3), *((f"F{number}", 1.058) for number in range(1, 13)), ("power", 1.0)),
-    (*((key, 1.0) for key in "`1234567890-="), ("bksp", 2.0)),
-    (("tab", 1.5), *((key, 1.0) for key in "QWERTYUIOP[]"), ("\\", 1.5)),
-    (("caps", 1.75), *((key, 1.0) for key in "ASDFGHJKL;'"), ("enter", 2.25)),
-    (("shift", 2.25), *((key, 1.0) for key in "ZXCVBNM,./"), ("shift", 2.75)),
+    *keypads.LETTERS,
     (
         ("ctrl", 1.25),
         ("fn", 1.0),

@@ -1,8 +1,9 @@
 """A computer mouse: plain, small for travel, for the right hand, for games, or one that is held upright.
 
 Links: `body`; `button_left` and `button_right`, which bend at their rear edge; `axle`, which carries `wheel`;
-`thumb_0` and `thumb_1` in the left side, from the user. Joints: `button_left_press`, `button_right_press`;
-`axle_press`, the middle button, and `wheel_turn` without limits; `thumb_press_0` and `thumb_press_1`.
+`thumb_0` and `thumb_1` in the left side, from the user; `receiver` in the rear of a wireless one. Joints:
+`button_left_press`, `button_right_press`; `axle_press`, the middle button, and `wheel_turn` without limits;
+`thumb_press_0` and `thumb_press_1`; `receiver_slide`.
 
 Springs return all buttons. The wheel clicks through its steps under a finger that rolls over it. A mouse for
 the right hand leans to the right, and an upright one stands on its side.
@@ -114,7 +115,7 @@ def _top(shell: ag.Solid, x: ag.Scalar, y: ag.Scalar) -> ag.Scalar:
     return (shell & ag.box(0.0010, 0.0010, 0.3).at(x, y, 0.1)).anchor(z=1).z
 
 
-@ag.category(labels="body button strip axle wheel thumb foot cable lens print led", joints=(4, 6))
+@ag.category(labels="body button receiver strip axle wheel thumb foot cable lens print led", joints=(4, 7))
 def mouse(
     *,
     style: Style = ag.choice(_SHARES),
@@ -179,8 +180,9 @@ def mouse(
     body = _wheel(body, plan, shell, steps)
     for number in range(thumbs):
         body = _thumb(body, plan, shell, number)
-    if wired:
-        body = ag.weld(body, _cable(plan))
+    body = (
+        ag.weld(body, _cable(plan)) if wired else body.install(_receiver(style), at=(0, -length / 2, 0.0148))
+    )
     aside = 0.0011 if thumbs and style != "upright" else 0.0  # half of what the keys for the thumb stand out
     if not tilted:
         return ag.weld(body, *_underside((0.0, 0.0, 0.0012), plan)).at(aside)
@@ -273,6 +275,31 @@ def _thumb(body: ag.Body, plan: _Plan, shell: ag.Solid, number: int) -> ag.Body:
     press = controls.button_press("thumb_press", travel=0.0007, preload=0.4, force=1.0, effort=6.0)
     key = Fitting.moving(cap, press, cut=hole).rotate(ag.Z, -math.pi / 2).suffixed(f"_{number}")
     return body.install(key, at=(x, y, level))
+
+
+def _receiver(style: Style) -> Fitting:
+    """Make the receiver of a wireless mouse in its slot in the rear."""
+    grip = ag.box(0.0140, 0.0070, 0.0062, bevel=0.0008).at(y=-0.0029)
+    plug = ag.box(0.0120, 0.0150, 0.0045).at(y=0.0075)
+    if style == "upright":
+        hold = ag.grasp_on(grip, approach=ag.Y, closing=ag.X, depth=0.0050)
+    else:
+        hold = ag.grasp_on(grip, approach=-ag.Z, closing=ag.X, at=(0, -0.0112, 0), depth=0.0070)
+    receiver = ag.weld(
+        ag.part(grip, "receiver", ag.material("black_abs"), name="receiver", grasp=hold),
+        ag.part(plug, "receiver", _STEEL.with_(name="plug_sheet", density=2500.0)),
+    )
+    slide = ag.Prismatic(
+        "receiver_slide",
+        axis=-ag.Y,
+        limits=(0, 0.0165),
+        friction=1.5,
+        damping=1.0,
+        armature=0.01,
+        effort=10.0,
+    )
+    slot = ag.Region((-0.0074, 0.0074), (-0.01, 0.0160), (-0.0035, 0.0035)).box()
+    return Fitting.moving(receiver, slide, cut=slot)
 
 
 def _underside(at: tuple[ag.Scalar, ag.Scalar, ag.Scalar], plan: _Plan) -> list[ag.Body]:

@@ -17,6 +17,14 @@ from artgen.nodes.fitting import FIT, Fitting
 COVER = 0.0006
 """Thickness of a cover plate around keys [m]."""
 
+LETTERS: tuple[tuple[tuple[str, float], ...], ...] = (
+    (*((key, 1.0) for key in "`1234567890-="), ("bksp", 2.0)),
+    (("tab", 1.5), *((key, 1.0) for key in "QWERTYUIOP[]"), ("\\", 1.5)),
+    (("caps", 1.75), *((key, 1.0) for key in "ASDFGHJKL;'"), ("enter", 2.25)),
+    (("shift", 2.25), *((key, 1.0) for key in "ZXCVBNM,./"), ("shift", 2.75)),
+)
+"""Legend and width in pitches of each key in the rows of letters of a keyboard, from the back."""
+
 _FILM = 0.0001  # height of print above a cap [m]
 
 
