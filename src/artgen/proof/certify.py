@@ -470,5 +470,5 @@ def _rows(search: _PairSearch) -> list[list[float]]:
     ranges = [ends[each] for each in (cells.first, cells.second) for ends in (nodes.first, nodes.last)]
     whole = np.column_stack((*ranges, cells.frame)).tolist()
     bounds = np.stack((cells.low[:, :count], cells.high[:, :count]), axis=2).reshape(len(cells), 2 * count)
-    real = np.column_stack((cells.normal, bounds)).tolist()
+    real = (np.column_stack((cells.normal, bounds)) + 0.0).tolist()  # no zero with a sign
     return [[*integers, *numbers] for integers, numbers in zip(whole, real, strict=True)]

@@ -60,7 +60,7 @@ _FINISHES = ag.by(
 @ag.category(
     labels="body cap grip lens mount ring glass shutter button bezel dial flash screen hinge eyepiece lever "
     "knob back tab flap photo slot neck clip foot slider stripe led print",
-    joints=(2, 9),
+    joints=(3, 9),
 )
 def camera(
     *,

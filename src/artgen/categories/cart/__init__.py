@@ -76,7 +76,7 @@ class _Plan:
 
 @ag.category(
     labels="body frame tray handle caster wheel drawer front toe bracket axle bumper mat screw print",
-    joints=(3, 14),
+    joints=(3, 12),
 )
 def cart(
     *,

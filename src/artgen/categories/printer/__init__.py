@@ -61,7 +61,7 @@ class _Plan:
 @ag.category(
     labels="body foot cassette paper flap lid glass pad feeder panel button display bezel handle socket vent "
     "rating_plate print",
-    joints=(4, 12),
+    joints=(4, 11),
 )
 def printer(
     *,
