@@ -173,6 +173,8 @@ def bucket(
     maker: str = ag.choice(*details.BRANDS),
 ) -> ag.Body:
     """Make a bucket with its bail down."""
+    least = {"wood": 0.8, "paint": 0.96}.get(style, 0.6)
+    taper = ag.require(taper, taper >= least, f"taper of a {style} bucket must be >= {least:g}")
     volume = 0.00106 * litres  # with the part above the mark [m3]
     wide = (12 * volume / (math.pi * tall * (1 + taper + taper * taper))) ** (1 / 3)
     extra = 2 * _WALLS[style] if style == "wood" else 0.0
@@ -259,7 +261,7 @@ def _staved(plan: _Plan, hoops: int) -> ag.Body:
     ]
     inner = ag.cylinder(plan.at(0.02) - wall - 0.0002, 0.012).at(z=0.024)
     body = ag.part([*staves, inner], "stave", plan.finish, name="bucket")
-    levels = {2: (0.12, 0.74), 3: (0.10, 0.44, 0.80)}[hoops]
+    levels = {3: (0.10, 0.44, 0.80)}.get(hoops, (0.12, 0.74))
     rings = []
     for share in levels:
         low, tall = share * high, 0.022

@@ -24,7 +24,7 @@ import artgen as ag
 from artgen import details, feel
 from artgen.categories.camera import reflex as large
 from artgen.categories.camera.reflex import disc, hollow
-from artgen.categories.shared import controls
+from artgen.categories.shared import controls, require_size
 from artgen.categories.shared.finish import casting, colors
 from artgen.nodes.fitting import FIT, Fitting
 
@@ -55,6 +55,16 @@ _FINISHES = ag.by(
     ),
     webcam=ag.shades(*colors("abs", "black graphite white"), weights=(4, 2, 1), color=0.02),
 )
+
+_WIDTHS = {
+    "compact": (0.090, 0.13), "reflex": (0.122, 0.16), "film": (0.128, 0.16), "instant": (0.102, 0.14),
+    "webcam": (0.076, 0.12),
+}  # fmt: skip
+_LENSES = {
+    "compact": (0.0140, 0.0182), "reflex": (0.028, 0.0350), "film": (0.023, 0.0300),
+    "instant": (0.018, 0.0240), "webcam": (0.009, 0.0120),
+}  # fmt: skip
+"""Widths, and radii of lenses, of products of a style [m]."""
 
 
 @ag.category(
@@ -110,6 +120,10 @@ def camera(
     maker: str = ag.choice(*details.BRANDS),
 ) -> ag.Body:
     """Make a camera with its lens drawn in."""
+    wide = require_size(wide, _WIDTHS[style], f"width of a {style} camera")
+    lens = require_size(lens, _LENSES[style], f"radius of the lens of a {style} camera")
+    if style in ("reflex", "film"):
+        length = require_size(length, (0.036, 0.12), f"length of the lens of a {style} camera")
     match style:
         case "compact":
             return _compact(wide, lens, keys, finish, metal, maker)

@@ -21,7 +21,7 @@ from typing import Literal
 
 import artgen as ag
 from artgen import details, feel
-from artgen.categories.shared import controls, fixings, furniture, pulls
+from artgen.categories.shared import controls, fixings, furniture, pulls, require_size
 from artgen.categories.shared.finish import casting, colors
 from artgen.nodes.fitting import FIT, Fitting
 
@@ -72,6 +72,12 @@ class _Plan:
     def tube(self) -> ag.Material:
         """Material of the tubes, which are hollow."""
         return casting(self.frame, 0.3)
+
+
+_DEPTHS = {"service": (0.34, 0.7), "tool": (0.34, 0.7), "platform": (0.36, 0.7)}
+"""Depths at which the casters swivel past each other [m]."""
+_RADII = {"service": (0.03, 0.065), "tool": (0.03, 0.07), "platform": (0.03, 0.07)}
+"""Radii of the wheels of casters [m]."""
 
 
 @ag.category(
@@ -135,6 +141,8 @@ def cart(
     maker: str = ag.choice(*details.BRANDS),
 ) -> ag.Body:
     """Make an empty cart with closed drawers and an upright handle."""
+    deep = require_size(deep, _DEPTHS.get(style, (0.18, 0.7)), f"depth of a {style} cart")
+    wheel = require_size(wheel, _RADII.get(style, (0.03, 0.15)), f"radius of the wheels of a {style} cart")
     plan = _Plan(long, deep, high, wheel, frame, panel, maker)
     match style:
         case "service":
@@ -252,7 +260,7 @@ def _drinks(plan: _Plan) -> ag.Body:
     post = ag.cylinder_between((-x, y, plan.wheel - 0.012), (-x, y, top + 0.066), _SLIM, bevel=0.002)
     knob = ag.sphere(0.013).at(-x, y, top + 0.070)
     foot = ag.box(0.052, 0.052, 0.012, bevel=0.002).at(x, y, on + 0.006)
-    axle = ag.cylinder(0.006, 2 * y + 0.029, axis=ag.Y).at(-x, 0, plan.wheel)
+    axle = ag.cylinder(0.006, 2 * y + 0.019, axis=ag.Y).at(-x, 0, plan.wheel)
     rails = []
     for level in (low, top):
         for side in (-1, 1):

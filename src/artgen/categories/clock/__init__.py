@@ -23,7 +23,7 @@ import artgen as ag
 from artgen import details, feel
 from artgen.categories.clock import cases
 from artgen.categories.clock.faces import REACH, Face, Hands, Numerals
-from artgen.categories.shared import controls, vessels
+from artgen.categories.shared import controls, require_size, vessels
 from artgen.categories.shared.finish import casting, colors
 from artgen.nodes.details.displays import Color
 from artgen.nodes.fitting import FIT, Fitting
@@ -55,6 +55,10 @@ _CASES = ag.by(
 _CASED = ("mantel", "regulator", "longcase")
 _RINGING = feel.Feel(friction=1e-3, damping=1e-3, armature=1e-5, effort=0.5)
 _KNOB = feel.Feel(friction=0.01, damping=1e-3, armature=2e-5, effort=0.4)
+
+_WIDTHS = {"wall": (0.17, 0.6), "mantel": (0.18, 0.6), "regulator": (0.22, 0.6), "longcase": (0.34, 0.6)}
+_SLENDER = {"mantel": (1.35, 5.0), "regulator": (2.0, 5.0), "longcase": (3.9, 5.0)}
+"""Least widths [m] and shares of the height that leave room for the works and the pendulum."""
 
 
 @ag.category(
@@ -136,6 +140,12 @@ def clock(
     maker: str = ag.choice(*details.BRANDS),
 ) -> ag.Body:
     """Make a clock with its doors shut."""
+    wide = require_size(wide, _WIDTHS.get(style, (0.09, 0.6)), f"width of a {style} clock")
+    if style in _SLENDER:
+        low, _ = _SLENDER[style]
+        slender = ag.require(
+            slender, slender >= low, f"a {style} clock must be {low:g} times as high as wide"
+        )
     if style == "digital":
         return _digital(shape, wide, digits, keys, color, finish, maker)
     sheet = ag.material("powder_coat_white").with_(

@@ -119,6 +119,7 @@ def globe(
     stand: ag.Float = ag.by(
         "style",
         floor=ag.uniform(0.52, 0.62),
+        lit=ag.uniform(0.165, 0.24),
         otherwise=ag.uniform(0.10, 0.20),
         within=(0.08, 0.70),
         doc="height below the meridian, as a share of the diameter; of a floor globe in m",
@@ -137,6 +138,10 @@ def globe(
     maker: str = ag.choice(*details.BRANDS),
 ) -> ag.Body:
     """Make a globe, its axis at the angle of that of the earth."""
+    if style in ("lit", "full"):
+        least = 0.0225 if style == "lit" else 0.0195
+        what = f"below the meridian of a {style} globe must be >= {1e3 * least:g} mm"
+        stand = ag.require(stand, stand * diameter >= least, what)
     radius = diameter / 2
     inner = radius + _GAP
     outer = inner + (0.010 if style == "floor" else 0.007)
@@ -188,7 +193,7 @@ def _ball(radius: ag.Scalar, scheme: str, style: Style) -> ag.Body:
     glow = tuple(0.35 * channel for channel in sea) if lit else (0.0, 0.0, 0.0)
     water = _ABS.with_(name=f"sea_{scheme}", base_color=sea, emission=glow, density=_HOLLOW[style])
     solid = ag.sphere(radius)
-    hubs = [ag.cylinder(_PIN + 0.002, 0.004).at(z=side * (radius + 0.0010)) for side in (-1, 1)]
+    hubs = [ag.cylinder(_PIN + 0.002, 0.004).at(z=side * (radius + 0.0002)) for side in (-1, 1)]
     bodies = [ag.part(solid, "ball", water), ag.part(hubs, "pin", ag.material("chrome"))]
     skin = ag.sphere(radius + _FILM)
     for number, places in enumerate((*_LAND, *_ISLES)):
@@ -240,7 +245,7 @@ def _meridian(inner: ag.Scalar, outer: ag.Scalar, *, full: bool) -> ag.Solid:
             section, ag.arc((0, 0, 0), (inner + outer) / 2, start=-turn / 2, sweep=turn, axis=-ag.Y)
         )
     pins = [
-        ag.cylinder(_PIN, _GAP - 0.0025).at(z=side * (inner - (_GAP - 0.0025) / 2 + 0.001))
+        ag.cylinder(_PIN, _GAP - 0.0017).at(z=side * (inner - (_GAP - 0.0017) / 2 + 0.001))
         for side in (-1, 1)
     ]
     return ag.union(band, *pins)

@@ -25,7 +25,7 @@ from typing import Literal
 
 import artgen as ag
 from artgen import details, feel
-from artgen.categories.shared import controls, keypads, screens
+from artgen.categories.shared import controls, keypads, require_size, screens
 from artgen.categories.shared.finish import colors
 from artgen.nodes.details.icons import ICONS
 from artgen.nodes.fitting import FIT, Fitting
@@ -113,6 +113,12 @@ class _Plan:
         return keypads.Pad(room, self.stroke, self.finish, when=when)
 
 
+_WIDTHS = {"fold": (0.068, 0.085), "desk": (0.17, 0.22)}
+_LENGTHS = {"fold": (0.080, 0.110), "desk": (0.19, 0.24)}
+_THICK = {"fold": (0.007, 0.012), "desk": (0.026, 0.04)}
+"""Sizes of smartphones and of desk telephones [m]; others have rows of keys."""
+
+
 @ag.category(
     labels="base lid slide hinge key panel button bezel display lens handset foot socket speaker "
     "print rating_plate",
@@ -177,6 +183,12 @@ def phone(
     maker: str = ag.choice(*details.BRANDS),
 ) -> ag.Body:
     """Make a closed phone on its back."""
+    width = require_size(width, _WIDTHS.get(style, (0.049, 0.060)), f"width of a {style} phone")
+    spare = require_size(spare, _LENGTHS.get(style, (0.0, 0.05)), f"spare length of a {style} phone")
+    thick = require_size(thick, _THICK.get(style, (0.0085, 0.02)), f"thickness of a {style} phone")
+    travel = require_size(
+        travel, (0.0002, 0.002 if style == "desk" else 0.0008), f"travel of a {style} phone"
+    )
     stroke = keypads.Stroke(travel, 0.4 * force, force, friction=0.04, effort=6.0)
     long = {"flip": 0.100, "slider": 0.098, "bar": 0.114}.get(style, 0.0) + spare
     room = ag.Region.centered(width, long, 0.0).with_(z=(0, thick))

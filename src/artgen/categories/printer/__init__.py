@@ -17,7 +17,7 @@ from typing import Literal
 
 import artgen as ag
 from artgen import details, feel
-from artgen.categories.shared import controls, furniture
+from artgen.categories.shared import controls, furniture, require_size
 from artgen.categories.shared.finish import colors
 from artgen.nodes.fitting import Fitting
 
@@ -101,6 +101,7 @@ def printer(
     maker: str = ag.choice(*details.BRANDS),
 ) -> ag.Body:
     """Make a printer with closed lid and cassettes."""
+    depth = require_size(depth, (0.32 if style == "inkjet" else 0.35, 0.48), f"depth of a {style} printer")
     scans = style != "laser"
     slots = _FOOT + 0.010 + _BAY * cassettes
     flap = 0.0 if style == "inkjet" else 0.088

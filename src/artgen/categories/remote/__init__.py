@@ -23,7 +23,7 @@ from typing import Literal
 
 import artgen as ag
 from artgen import details, feel
-from artgen.categories.shared import controls, keypads
+from artgen.categories.shared import controls, keypads, require_size
 from artgen.categories.shared.finish import casting, colors
 from artgen.nodes.details.icons import ICONS
 from artgen.nodes.fitting import FIT
@@ -173,6 +173,10 @@ def _sign(text: str, deep: ag.Scalar) -> ag.Profile:
     return keypads.word(text, 0.0026 if len(text) == 1 else 0.0016)
 
 
+_WIDTHS = {"tv": (0.042, 0.062), "stick": (0.038, 0.062), "air": (0.046, 0.062)}
+"""Widths that have room for the keys [m]."""
+
+
 @ag.category(
     labels="body key panel display battery battery_cover front_cover lens blade ring lug led print "
     "rating_plate",
@@ -234,9 +238,14 @@ def remote(
     maker: str = ag.choice(*details.BRANDS),
 ) -> ag.Body:
     """Make a remote with closed covers, its far end to the back."""
+    width = require_size(width, _WIDTHS.get(style, (0.034, 0.062)), f"width of a {style} remote")
+    if style in ("tv", "stick"):
+        tail = require_size(tail, (0.020, 0.07), f"length below the keys of a {style} remote")
     stroke = keypads.Stroke(travel, 0.35 * force, force, friction=0.05, effort=8.0)
     if style in ("car", "gate"):
-        return _fob(style, width, thick, tail, extra, stroke, shape, corner, finish, rubber, maker)
+        return _fob(
+            style, width, thick, tail, min(max(extra, 1), 4), stroke, shape, corner, finish, rubber, maker
+        )
     look = finish if panel == "body" else _PANELS[panel]
     head = {"tv": 0.012, "stick": 0.011, "air": 0.052}[style]
     plan = _Plan(width, thick, finish, rubber, look, stroke, shape, maker)
@@ -252,6 +261,7 @@ def remote(
                 rows.row(legends, pitch, deep=0.0075, step=0.0150)
     lower = rows.y - 0.0015
     if style == "air":
+        extra = max(extra, 1)
         tail = tail + _ROW * extra + 0.052
     room = ag.Region((-width / 2, width / 2), (lower - tail, 0.0), (0.0, thick))
     body = _case(plan, room, corner, hold, flat=style == "air")
