@@ -124,27 +124,24 @@ def push_button(
         >>> panel = panel.install(fittings.push_button().suffixed("_0"), at=(-0.012, 0, 0))
         >>> panel.install(fittings.push_button(shape="square", icon="fan").suffixed("_1"), at=(0.012, 0, 0))
     """
-    high = width if shape == "round" or height is None else height
-    ink = ink or controls.ink_on(finish)
-    cap = controls.button_cap(
+    return controls.push_button(
         finish=finish,
+        through=deep + travel + 0.001,
         shape=shape,
         width=width,
-        height=high,
+        height=height,
         proud=proud,
         deep=deep,
+        travel=travel,
+        preload=preload,
+        force=force,
+        damping=damping,
+        effort=effort,
         icon=icon,
-        ink=ink,
+        ink=ink or controls.ink_on(finish),
+        plate=plate,
         name=name,
     )
-    press = controls.button_press(
-        f"{name}_slide", travel=travel, preload=preload, force=force, damping=damping, effort=effort
-    )
-    hole = controls.button_hole(width, high, through=deep + travel + 0.001)
-    if plate is None:
-        return Fitting.moving(cap, press, cut=hole)
-    around = controls.button_plate(finish=plate, shape=shape, width=width, height=high)
-    return Fitting.moving(cap, press, fixed=around, cut=hole)
 
 
 @_checked

@@ -137,15 +137,10 @@ def blender(
 def _button(shape: controls.ButtonShape, icon: str, force: ag.Scalar) -> Fitting:
     """Make a button with a plate around it, which covers the corners of its hole."""
     wide, high = (0.017, 0.0105) if shape == "pill" else (0.0125, 0.0125)
-    cap = controls.button_cap(
-        finish=_STEEL, shape=shape, width=wide, height=high, icon=icon, ink=controls.DARK_INK
-    )
-    return Fitting.moving(
-        cap,
-        controls.button_press("button_slide", force=force),
-        fixed=controls.button_plate(finish=_BLACK, shape=shape, width=wide, height=high),
-        cut=controls.button_hole(wide, high, through=0.016),
-    )
+    return controls.push_button(
+        finish=_STEEL, plate=_BLACK, through=0.016, shape=shape, width=wide, height=high, force=force,
+        icon=icon, ink=controls.DARK_INK,
+    )  # fmt: skip
 
 
 def _seat(body: ag.Body, jug: ag.Body, high: ag.Scalar) -> ag.Body:

@@ -26,7 +26,7 @@ from artgen.categories.camera import reflex as large
 from artgen.categories.camera.reflex import disc, hollow
 from artgen.categories.shared import controls, require_size
 from artgen.categories.shared.finish import casting, colors
-from artgen.nodes.fitting import FIT, Fitting
+from artgen.nodes.fitting import FIT
 
 Style = Literal["compact", "reflex", "film", "instant", "webcam"]
 """A camera for a pocket, one with a large lens and a prism, one for film, one that ejects its pictures,
@@ -170,23 +170,26 @@ def _compact(
     )
     body = _telescoped(body, lens, middle, metal)
     top = (x.low + 0.026, 0, z.high)
-    cap = controls.button_cap(
-        finish=ag.material("chrome"), shape="pill", width=0.015, height=0.010, proud=0.003, name="shutter"
-    )
-    press = controls.button_press("shutter_slide", travel=0.0018, preload=0.4, force=1.6)
-    rim = controls.button_plate(finish=_BLACK, shape="pill", width=0.015, height=0.010)
-    hole = controls.button_hole(0.015, 0.010, through=0.010)
-    shutter = Fitting.moving(cap, press, fixed=rim, cut=hole).rotate(ag.X, -math.pi / 2)
-    body = body.install(shutter, at=top)
+    shutter = controls.push_button(
+        finish=ag.material("chrome"), plate=_BLACK, through=0.010, shape="pill", width=0.015, height=0.010,
+        proud=0.003, travel=0.0018, preload=0.4, force=1.6, name="shutter",
+    )  # fmt: skip
+    body = body.install(shutter.rotate(ag.X, -math.pi / 2), at=top)
     glass = ag.Region(
         (x.low + 0.030, x.high - 0.006), (y.high - 0.0004, y.high + 0.0005), (0.006, z.high - 0.006)
     )
     body = ag.weld(body, ag.detail(glass.box(bevel=0.0003), "screen", _GLASS))
     for number in range(keys):
-        cap = controls.button_cap(finish=metal, width=0.0085, proud=0.0022, deep=0.005)
-        rim = controls.button_plate(finish=_BLACK, width=0.0085)
-        hole = controls.button_hole(0.0085, through=0.007)
-        key = Fitting.moving(cap, controls.button_press(travel=0.0012, force=2.0), fixed=rim, cut=hole)
+        key = controls.push_button(
+            finish=metal,
+            plate=_BLACK,
+            through=0.007,
+            width=0.0085,
+            proud=0.0022,
+            deep=0.005,
+            travel=0.0012,
+            force=2.0,
+        )
         at = (x.low + 0.017, y.high, 0.011 + 0.0175 * number)
         body = body.install(key.rotate(ag.Z, math.pi).suffixed(f"_{number}"), at=at)
     return body
@@ -233,14 +236,13 @@ def _instant(wide: ag.Scalar, lens: ag.Scalar, stripes: str, finish: ag.Material
     slot = ag.Region((-0.0462, 0.0462), (front - 0.001, front + 0.072), (0.0460, 0.0500))
     shell = finish.with_(name=f"{finish.name}_instant", density=440.0)
     middle = ag.vector(0.006, face, step + 0.50 * (tall - step))
-    dark = ag.material("black_abs")
     window = ag.Region.centered(0.026, 0.0, 0.017).grow(front=0.0010, back=0.001).box(bevel=0.0006)
     finder = ag.Region.centered(0.013, 0.0, 0.013).grow(front=0.0012, back=0.001).box(bevel=0.0006)
     upper_left = (-wide / 2 + 0.022, face, tall - 0.018)
     body = ag.weld(
         ag.part([low.box(bevel=0.004) - bay.box() - slot.box(), upper], "body", shell, name="body"),
         ag.part(
-            [disc(lens + 0.004, -0.002, 0.008, 0.0015), disc(lens, 0.0075, 0.016, 0.0015)], "lens", dark
+            [disc(lens + 0.004, -0.002, 0.008, 0.0015), disc(lens, 0.0075, 0.016, 0.0015)], "lens", _BLACK
         ).at(middle),
         ag.detail(disc(0.62 * lens, 0.015, 0.0164), "mount", ag.material("chrome")).at(middle),
         ag.detail(ag.dome(0.54 * lens, height=0.003, axis=-ag.Y).at(y=-0.0162), "glass", _GLASS).at(middle),
@@ -248,13 +250,10 @@ def _instant(wide: ag.Scalar, lens: ag.Scalar, stripes: str, finish: ag.Material
         ag.detail(finder, "glass", _GLASS).at(wide / 2 - 0.014, face, tall - 0.016),
         *_stripes(stripes, front, face, step, middle.z - lens - 0.004),
     )
-    cap = controls.button_cap(
-        finish=ag.colored("abs", "red"), width=0.013, proud=0.0045, deep=0.007, name="shutter"
-    )
-    press = controls.button_press("shutter_slide", travel=0.003, preload=0.5, force=2.5)
-    rim = controls.button_plate(finish=dark, width=0.013)
-    hole = controls.button_hole(0.013, through=0.012)
-    shutter = Fitting.moving(cap, press, fixed=rim, cut=hole)
+    shutter = controls.push_button(
+        finish=ag.colored("abs", "red"), plate=_BLACK, through=0.012, width=0.013, proud=0.0045, deep=0.007,
+        preload=0.5, force=2.5, name="shutter",
+    )  # fmt: skip
     body = body.install(shutter, at=(-wide / 2 + 0.018, face, step + 0.016))
     return _ejecting(body, bay, slot, finish, maker)
 

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 import artgen as ag
 from artgen import details, feel
-from artgen.categories.shared import controls, vessels
+from artgen.categories.shared import controls, polar, vessels
 from artgen.categories.shared.finish import casting
 from artgen.nodes.fitting import FIT, Fitting
 
@@ -43,14 +43,7 @@ class Look:
 
 def ribbed(outer: ag.Scalar, inner: ag.Scalar, length: ag.Scalar) -> ag.Solid:
     """Make a ring with ribs about the y axis, only to be seen."""
-    count = 4 * _RIBS
-    shares = [1.0 if step % 4 in (0, 1) else 0.972 for step in range(count)]
-    outline = ag.polygon(
-        [
-            (share * math.cos(math.tau * step / count), share * math.sin(math.tau * step / count))
-            for step, share in enumerate(shares)
-        ]
-    )
+    outline = polar([1.0, 1.0, 0.972, 0.972] * _RIBS)
     return ag.extrude(outline.scale(outer) - ag.circle(inner), length, axis=ag.Y)
 
 
@@ -75,17 +68,7 @@ def reflex(look: Look, *, popup: bool, swings: bool, keys: int) -> ag.Body:
     prism = ag.Region(
         (at - 0.027, at + 0.027), (y.low + 0.002, y.high - 0.010), (z.high - 0.001, z.high + 0.026)
     )
-    slope = [
-        (side * wide, level)
-        for side, wide, level in (
-            (-1, 0.027, prism.z.low),
-            (1, 0.027, prism.z.low),
-            (1, 0.0195, prism.z.high),
-            (-1, 0.0195, prism.z.high),
-        )
-    ]
-    side = ag.polygon([(at + x, z) for x, z in slope], radius=0.004)
-    hump = ag.extrude(side, prism.y.size, axis=ag.Y, bevel=0.002).at(0, prism.y.mid, 0)
+    hump = _hump(prism, 0.0195, radius=0.004, bevel=0.002)
     eye = ag.Region(
         (at - 0.016, at + 0.016), (y.high - 0.012, y.high + 0.006), (z.high + 0.002, z.high + 0.020)
     )
@@ -112,13 +95,20 @@ def reflex(look: Look, *, popup: bool, swings: bool, keys: int) -> ag.Body:
     return body
 
 
+def _hump(room: ag.Region, half: float, *, radius: float, bevel: float) -> ag.Solid:
+    """Make the hump over a prism, narrower at its top, half of which is so wide [m]."""
+    x, z = room.x, room.z
+    front = [(x.low, z.low), (x.high, z.low), (x.mid + half, z.high), (x.mid - half, z.high)]
+    return ag.extrude(ag.polygon(front, radius=radius), room.y.size, axis=ag.Y, bevel=bevel).at(y=room.y.mid)
+
+
 def _pressed(body: ag.Body, at: ag.VectorLike, *, radius: float) -> ag.Body:
     """Add the button of the shutter to a face that looks up."""
-    cap = controls.button_cap(finish=ag.material("chrome"), width=2 * radius, proud=0.0035, name="shutter")
-    press = controls.button_press("shutter_slide", travel=0.0022, preload=0.4, force=1.6)
-    hole = controls.button_hole(2 * radius, through=0.012)
-    rim = controls.button_plate(finish=_BLACK, width=2 * radius)
-    return body.install(Fitting.moving(cap, press, fixed=rim, cut=hole).rotate(ag.X, -math.pi / 2), at=at)
+    button = controls.push_button(
+        finish=ag.material("chrome"), plate=_BLACK, through=0.012, width=2 * radius, proud=0.0035,
+        travel=0.0022, preload=0.4, force=1.6, name="shutter",
+    )  # fmt: skip
+    return body.install(button.rotate(ag.X, -math.pi / 2), at=at)
 
 
 def _dialed(
@@ -145,13 +135,15 @@ def _screened(body: ag.Body, room: ag.Region, keys: int, *, swings: bool) -> ag.
     glass = ag.detail(face.box(bevel=0.0003), "screen", _GLASS)
     for number in range(keys):
         at = (room.x.low + 0.016, y, z.low + 0.016 + number * 0.019)
-        cap = controls.button_cap(finish=_BLACK, width=0.009, proud=0.0028, deep=0.006)
-        rim = controls.button_plate(finish=_BLACK, width=0.009)
-        key = Fitting.moving(
-            cap,
-            controls.button_press(travel=0.0015, force=2.0),
-            fixed=rim,
-            cut=controls.button_hole(0.009, through=0.009),
+        key = controls.push_button(
+            finish=_BLACK,
+            plate=_BLACK,
+            through=0.009,
+            width=0.009,
+            proud=0.0028,
+            deep=0.006,
+            travel=0.0015,
+            force=2.0,
         )
         body = body.install(key.rotate(ag.Z, math.pi).suffixed(f"_{number}"), at=at)
     if not swings:
@@ -231,16 +223,7 @@ def film(look: Look, leather: ag.Material) -> ag.Body:
         (y.low + 0.001, y.high - 0.004),
         (z.high - 0.001, z.high + 0.014),
     )
-    front = ag.polygon(
-        [
-            (prism.x.low, prism.z.low),
-            (prism.x.high, prism.z.low),
-            (look.shift + 0.0115, prism.z.high),
-            (look.shift - 0.0115, prism.z.high),
-        ],
-        radius=0.002,
-    )
-    hump = ag.extrude(front, prism.y.size, axis=ag.Y, bevel=0.0015).at(0, prism.y.mid, 0)
+    hump = _hump(prism, 0.0115, radius=0.002, bevel=0.0015)
     inside = leather.with_(name=f"{leather.name}_body", density=900.0)
     body = ag.weld(
         ag.part([core - chamber.box()], "body", inside, name="body"),

@@ -26,7 +26,7 @@ from artgen.categories.clock.faces import REACH, Face, Hands, Numerals
 from artgen.categories.shared import controls, require_size, vessels
 from artgen.categories.shared.finish import casting, colors
 from artgen.nodes.details.displays import Color
-from artgen.nodes.fitting import FIT, Fitting
+from artgen.nodes.fitting import FIT
 
 Style = Literal["wall", "bells", "mantel", "regulator", "longcase", "digital"]
 """A round or square clock for a wall, one with two bells, wooden ones for a shelf, for a wall or
@@ -57,8 +57,8 @@ _RINGING = feel.Feel(friction=1e-3, damping=1e-3, armature=1e-5, effort=0.5)
 _KNOB = feel.Feel(friction=0.01, damping=1e-3, armature=2e-5, effort=0.4)
 
 _WIDTHS = {"wall": (0.17, 0.6), "mantel": (0.18, 0.6), "regulator": (0.22, 0.6), "longcase": (0.34, 0.6)}
-_SLENDER = {"mantel": (1.35, 5.0), "regulator": (2.0, 5.0), "longcase": (3.9, 5.0)}
-"""Least widths [m] and shares of the height that leave room for the works and the pendulum."""
+_SLENDER = {"mantel": 1.35, "regulator": 2.0, "longcase": 3.9}
+"""Possible widths [m], and least heights by the width: with room for the works and the pendulum."""
 
 
 @ag.category(
@@ -142,10 +142,9 @@ def clock(
     """Make a clock with its doors shut."""
     wide = require_size(wide, _WIDTHS.get(style, (0.09, 0.6)), f"width of a {style} clock")
     if style in _SLENDER:
-        low, _ = _SLENDER[style]
-        slender = ag.require(
-            slender, slender >= low, f"a {style} clock must be {low:g} times as high as wide"
-        )
+        least = _SLENDER[style]
+        what = f"height of a {style} clock must be >= {least:g} times its width"
+        slender = ag.require(slender, slender >= least, what)
     if style == "digital":
         return _digital(shape, wide, digits, keys, color, finish, maker)
     sheet = ag.material("powder_coat_white").with_(
@@ -354,19 +353,14 @@ def _digital(
         details.printed(name, (0, y.low + (low - z.low) * math.tan(lean), low), material=ink, facing=facing),
     )  # fmt: skip
     black = ag.material("black_abs")
-    size = (0.40 * wide, 0.016)
-    bar = controls.button_cap(
-        finish=black, shape="pill", width=size[0], height=size[1], proud=0.004, name="snooze"
+    bar = controls.push_button(
+        finish=black, plate=black, through=0.012, shape="pill", width=0.40 * wide, height=0.016,
+        travel=0.0025, name="snooze",
+    )  # fmt: skip
+    body = body.install(bar.rotate(ag.X, -math.pi / 2), at=(0, (y.low + back + y.high) / 2, z.high))
+    key = controls.push_button(
+        finish=black, plate=black, through=0.012, width=0.010, proud=0.0035, travel=0.002
     )
-    press = controls.button_press("snooze_slide", travel=0.0025)
-    hole = controls.button_hole(*size, through=0.012)
-    rim = controls.button_plate(finish=black, shape="pill", width=size[0], height=size[1])
-    top = Fitting.moving(bar, press, fixed=rim, cut=hole).rotate(ag.X, -math.pi / 2)
-    body = body.install(top, at=(0, (y.low + back + y.high) / 2, z.high))
     for number, x in enumerate(controls.places(keys, 0.020)):
-        cap = controls.button_cap(finish=black, width=0.010, proud=0.0035)
-        hole = controls.button_hole(0.010, through=0.012)
-        rim = controls.button_plate(finish=black, width=0.010)
-        key = Fitting.moving(cap, controls.button_press(travel=0.002), fixed=rim, cut=hole)
         body = body.install(key.rotate(ag.Z, math.pi).suffixed(f"_{number}"), at=(x, y.high, 0.55 * high))
     return body

@@ -190,12 +190,10 @@ def coffee_machine(
 def _button(shape: controls.ButtonShape, icon: str, force: ag.Scalar, trim: ag.Material) -> Fitting:
     """Make a button with an icon in a thin plate."""
     wide, high = 0.0135, 0.0105
-    cap = controls.button_cap(
-        finish=_BLACK, shape=shape, width=wide, height=high, icon=icon, ink=controls.LIGHT_INK
-    )
-    plate = controls.button_plate(finish=trim, shape=shape, width=wide, height=high)
-    hole = controls.button_hole(wide, wide if shape == "round" else high, through=0.012)
-    return Fitting.moving(cap, controls.button_press(force=force), fixed=plate, cut=hole)
+    return controls.push_button(
+        finish=_BLACK, plate=trim, through=0.012, shape=shape, width=wide, height=high, force=force,
+        icon=icon, ink=controls.LIGHT_INK,
+    )  # fmt: skip
 
 
 def _frame(room: ag.Region, soft: ag.Scalar, niche: ag.Region, look: _Look, density: float) -> ag.Body:

@@ -20,7 +20,7 @@ import artgen as ag
 from artgen import details, feel
 from artgen.categories.shared import controls, screens
 from artgen.categories.shared.finish import casting, colors
-from artgen.nodes.fitting import FIT, Fitting
+from artgen.nodes.fitting import FIT
 
 Style = Literal["rising", "tilting", "television"]
 """A monitor that rises, turns and tilts, one that tilts only, or a television."""
@@ -156,9 +156,8 @@ def _screen(plan: _Plan, margin: ag.Scalar, picture: str, keys: int) -> ag.Body:
         parts.append(ag.part(ears, "hinge", plan.metal))
     screen = ag.weld(*parts)
     for number, x in enumerate(controls.places(keys, 0.021, middle=0.20 * plan.wide)):
-        cap = controls.button_cap(finish=_BLACK, shape="square", width=0.010, proud=0.003, deep=0.005)
-        key = Fitting.moving(
-            cap, controls.button_press(travel=0.0015), cut=controls.button_hole(0.010, through=0.008)
+        key = controls.push_button(
+            finish=_BLACK, through=0.008, shape="square", width=0.010, proud=0.003, deep=0.005, travel=0.0015
         )
         turned = key.rotate(ag.X, math.pi / 2).suffixed(f"_{number}")
         screen = screen.install(turned, at=(x, _THIN + 0.5 * _BULGE, room.z.low))

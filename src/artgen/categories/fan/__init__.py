@@ -297,17 +297,17 @@ def _console(
         return body.install(_dial(shell), at=at)
     dark = _BLACK if sum(shell.base_color) > 0.6 else ag.colored("abs", "light_grey")
     for index, x in enumerate(controls.places(4, 0.0195)):
-        cap = controls.button_cap(
+        key = controls.push_button(
             finish=dark,
+            through=0.014,
             shape="square",
             width=0.014,
             proud=0.006,
-            deep=0.008,
+            travel=0.004,
+            preload=0.8,
             icon=details.lettering((_SIGNS[index],), 0.0065),
             ink=controls.ink_on(dark),
         )
-        press = controls.button_press(travel=0.004, preload=0.8, force=3.0)
-        key = Fitting.moving(cap, press, cut=controls.button_hole(0.014, through=0.014))
         body = body.install(key.suffixed(f"_{index}"), at=(at[0] + x, at[1], at[2]))
     word = details.printed(details.lettering(("SPEED",), 0.0034, tracking=0.2), (0, 0, 0.0130), material=ink)
     return ag.weld(body, word.at(*at))

@@ -276,11 +276,9 @@ def _foot(
 
 def _switch() -> Fitting:
     """Make the button of a lamp."""
-    cap = controls.button_cap(
-        finish=ag.material("black_abs"), width=0.016, proud=0.004, icon="power", ink=controls.LIGHT_INK
+    return controls.push_button(
+        finish=ag.material("black_abs"), through=0.012, width=0.016, icon="power", ink=controls.LIGHT_INK
     )
-    hole = controls.button_hole(0.016, through=0.012)
-    return Fitting.moving(cap, controls.button_press(travel=0.003), cut=hole)
 
 
 def _cradle(height: ag.Scalar, low: float, metal: ag.Material) -> list[ag.Body]:

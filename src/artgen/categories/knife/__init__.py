@@ -37,7 +37,7 @@ from artgen.categories.knife.folding import (
     print_mark,
     ringed_knife,
 )  # fmt: skip
-from artgen.categories.shared import require_size
+from artgen.categories.shared import polar, require_size
 from artgen.categories.shared.finish import casting, colors, recess
 from artgen.nodes.fitting import FIT
 
@@ -247,9 +247,7 @@ def _cutter(
 
 def _star(count: int, radius: float, deep: float) -> ag.Profile:
     """Make the outline of a knurled wheel."""
-    angles = [math.tau * step / (2 * count) for step in range(2 * count)]
-    radii = [radius - deep * (step % 2) for step in range(2 * count)]
-    return ag.polygon([(r * math.cos(a), r * math.sin(a)) for r, a in zip(radii, angles, strict=True)])
+    return polar([radius, radius - deep] * count)
 
 
 def _utility(

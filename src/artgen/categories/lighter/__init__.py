@@ -24,9 +24,8 @@ from typing import Literal
 
 import artgen as ag
 from artgen import details, feel
-from artgen.categories.shared import controls, require_size
+from artgen.categories.shared import controls, polar, require_size
 from artgen.categories.shared.finish import casting, colors, recess
-from artgen.nodes.fitting import Fitting
 
 Style = Literal["petrol", "arc", "gas", "jet", "table", "stick"]
 """A lighter for petrol with a lid, with an arc, for gas, with a jet, for a table, or for candles."""
@@ -185,9 +184,7 @@ def _logo(maker: str, tall: float, wide: float) -> ag.Profile:
 def _wheel(at: ag.VectorLike, wide: float) -> tuple[ag.Body, ag.Joint]:
     """Make a striking wheel along y with its joint."""
     count = 26
-    angles = [math.tau * step / (2 * count) for step in range(2 * count)]
-    radii = [_WHEEL + 0.0002 - 0.0004 * (step % 2) for step in range(2 * count)]
-    teeth = ag.polygon([(r * math.cos(a), r * math.sin(a)) for r, a in zip(radii, angles, strict=True)])
+    teeth = polar([_WHEEL + 0.0002 - 0.0004 * (step % 2) for step in range(2 * count)])
     dark = ag.material("steel").with_(name="striker", base_color=(0.24, 0.235, 0.23), specular_roughness=0.45)
     core = ag.cylinder(_WHEEL - 0.0002, wide, axis=ag.Y) - ag.bore(0.0013, 0.05, axis=ag.Y)
     band = ag.extrude(teeth - ag.circle(_WHEEL - 0.0012), 0.8 * wide, axis=ag.Y)
@@ -265,10 +262,10 @@ def _arc(
         details.engraved(_logo(maker, 0.0026, 0.027), (0, face, 0.20 * split), material=finish),
     )
     ink = ag.material("led_blue").with_(name="ring_of_light")
-    cap = controls.button_cap(finish=_STEEL, width=0.0105, proud=0.0022, deep=0.0030, icon="power", ink=ink)
-    slide = controls.button_press(travel=0.0010, preload=0.25 * press, force=press)
-    ring = controls.button_plate(finish=_BLACK, width=0.0105)
-    button = Fitting.moving(cap, slide, fixed=ring, cut=controls.button_hole(0.0105, through=0.0042))
+    button = controls.push_button(
+        finish=_STEEL, plate=_BLACK, through=0.0042, width=0.0105, proud=0.0022, deep=0.0030, travel=0.0010,
+        preload=0.25 * press, force=press, icon="power", ink=ink,
+    )  # fmt: skip
     body = body.install(button, at=(0, face, 0.66 * split))
     return body.attach(lid, hinge).at(_PIVOT / 2)
 

@@ -20,7 +20,7 @@ from typing import Literal
 
 import artgen as ag
 from artgen import details, feel
-from artgen.categories.shared import controls
+from artgen.categories.shared import controls, polar
 from artgen.categories.shared.finish import casting, colors
 from artgen.nodes.fitting import FIT, Fitting
 
@@ -240,10 +240,7 @@ def _wheel(body: ag.Body, plan: _Plan, shell: ag.Solid, steps: int) -> ag.Body:
     slot = ag.Region.centered(_WIDE + 0.0032, 2 * radius + 0.0024, 0.0).at(y=y)
     body = body.cut(slot.with_(z=(z - radius - 0.0016, 0.2)).box())
     core = ag.cylinder(radius - 0.0006, _WIDE, axis=ag.X, bevel=0.0010)
-    teeth = 36
-    angles = [math.tau * n / (4 * teeth) for n in range(4 * teeth)]
-    radii = [radius - (0.0006 if n % 4 < 2 else 0.0) for n in range(4 * teeth)]
-    rim = ag.polygon([(r * math.cos(a), r * math.sin(a)) for r, a in zip(radii, angles, strict=True)])
+    rim = polar([radius - 0.0006, radius - 0.0006, radius, radius] * 36)
     tread = ag.extrude(rim, 0.0042, axis=ag.X, bevel=0.0002)
     wheel = ag.weld(
         ag.part(core, "wheel", ag.material("black_abs"), name="wheel"),

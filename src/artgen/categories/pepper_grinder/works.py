@@ -8,6 +8,7 @@ from typing import Literal
 
 import artgen as ag
 from artgen.categories.pepper_grinder.forms import WIDEST, BodyForm, Top, body_runs, end_radius, head_runs
+from artgen.categories.shared import polar
 from artgen.categories.shared.vessels import Drawn, Run, core, drawn, skin, turned
 
 Content = Literal["pepper", "salt", "mixed"]
@@ -196,10 +197,8 @@ def _shaft(high: ag.Scalar) -> ag.Body:
     """Make the shaft with the male burr at its lower end, up to a height."""
     low = _LOW + 0.0006
     burr = ag.revolve(ag.polygon([(0, low), (0.0078, low), (0.0050, _HIGH), (0, _HIGH)]), sides=16)
-    angles = [math.tau * step / (4 * _TEETH) for step in range(4 * _TEETH)]
-    radii = [0.0084 if step % 4 < 2 else 0.84 * 0.0084 for step in range(4 * _TEETH)]
-    star = [(r * math.cos(a), r * math.sin(a)) for r, a in zip(radii, angles, strict=True)]
-    teeth = ag.extrude(ag.polygon(star), 0.010, taper=0.3, twist=0.5).at(z=_LOW + 0.0056)
+    star = polar([0.0084, 0.0084, 0.84 * 0.0084, 0.84 * 0.0084] * _TEETH)
+    teeth = ag.extrude(star, 0.010, taper=0.3, twist=0.5).at(z=_LOW + 0.0056)
     return ag.weld(
         ag.part(_rod(_LOW + 0.002, high, 0.0026), "shaft", _STEEL),
         ag.part(burr, "burr", _BURR),

@@ -232,16 +232,10 @@ def _controls(body: ag.Body, plan: _Plan, keys: int, upper: ag.Scalar) -> ag.Bod
         """Add the display and the keys on a face."""
         host = ag.weld(host, details.display("1 20", 0.052, 0.020, at=(-0.012, y, level), color="white"))
         for number, (x, icon) in enumerate(zip(row, icons, strict=True)):
-            cap = controls.button_cap(
-                finish=_DARK, width=0.0115, proud=0.0025, deep=0.006, icon=icon, ink=controls.LIGHT_INK
-            )
-            press = controls.button_press(travel=0.002)
-            key = Fitting.moving(
-                cap,
-                press,
-                cut=controls.button_hole(0.0115, through=0.0090),
-                fixed=controls.button_plate(finish=face, width=0.0115),
-            )
+            key = controls.push_button(
+                finish=_DARK, plate=face, through=0.0090, width=0.0115, proud=0.0025, deep=0.006,
+                travel=0.002, icon=icon, ink=controls.LIGHT_INK,
+            )  # fmt: skip
             host = host.install(key.suffixed(f"_{number}"), at=(x, y, level))
         return host
 

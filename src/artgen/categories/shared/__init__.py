@@ -1,7 +1,7 @@
 """Parts that several categories use, by family."""
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 
 import artgen as ag
 
@@ -28,6 +28,13 @@ def require_size(value: ag.Float, span: tuple[float, float], what: str) -> ag.Fl
     low, high = span
     value = ag.require(value, value >= low, f"{what} must be >= {low:g} m")
     return ag.require(value, value <= high, f"{what} must be <= {high:g} m")
+
+
+def polar(radii: Sequence[float]) -> ag.Profile:
+    """Make an outline from radii at equal angles, counter-clockwise from the x axis [m]."""
+    count = len(radii)
+    angles = [math.tau * step / count for step in range(count)]
+    return ag.polygon([(r * math.cos(a), r * math.sin(a)) for r, a in zip(radii, angles, strict=True)])
 
 
 def recycling(size: ag.Scalar) -> ag.Profile:

@@ -15,6 +15,7 @@ from typing import Literal
 import artgen as ag
 from artgen import details, feel
 from artgen._arrays import cached_property
+from artgen.categories.shared import polar
 from artgen.nodes.details.dials import SWEEP
 from artgen.nodes.details.displays import Color
 from artgen.nodes.fitting import FIT, Fitting
@@ -155,12 +156,49 @@ def button_plate(
     return ag.detail(ag.extrude(sheet, 0.0016, axis=ag.Y).at(y=0.0002), "bezel", finish)
 
 
+def push_button(
+    *,
+    finish: ag.Material,
+    through: ag.Scalar,
+    shape: ButtonShape = "round",
+    width: ag.Scalar = 0.012,
+    height: ag.Scalar | None = None,
+    proud: ag.Scalar = 0.004,
+    deep: ag.Scalar = 0.008,
+    travel: ag.Scalar = 0.003,
+    preload: ag.Scalar = 0.6,
+    force: ag.Scalar = 3.0,
+    damping: ag.Scalar | None = None,
+    effort: ag.Scalar | None = None,
+    icon: str | ag.Profile = "",
+    ink: ag.Material | None = None,
+    plate: ag.Material | None = None,
+    name: str = "button",
+) -> Fitting:
+    """Make a button with its joint `{name}_slide`, in a hole of the depth `through` [m], with a plate or bare."""
+    cap = button_cap(
+        finish=finish,
+        shape=shape,
+        width=width,
+        height=height,
+        proud=proud,
+        deep=deep,
+        icon=icon,
+        ink=ink,
+        name=name,
+    )
+    press = button_press(
+        f"{name}_slide", travel=travel, preload=preload, force=force, damping=damping, effort=effort
+    )
+    around = None if plate is None else button_plate(finish=plate, shape=shape, width=width, height=height)
+    high = None if shape == "round" else height
+    return Fitting.moving(cap, press, fixed=around, cut=button_hole(width, high, through=through))
+
+
 def _fluted() -> ag.Profile:
     """Make the outline of a fluted knob of radius 1."""
-    steps = 4 * _FLUTES
-    angles = [math.tau * step / steps for step in range(steps)]
-    radii = [1 - _FLUTE * (0.5 - 0.5 * math.cos(_FLUTES * angle)) for angle in angles]
-    return ag.polygon([(r * math.cos(a), r * math.sin(a)) for r, a in zip(radii, angles, strict=True)])
+    angles = [math.tau * step / (4 * _FLUTES) for step in range(4 * _FLUTES)]
+    return polar([1 - _FLUTE * (0.5 - 0.5 * math.cos(_FLUTES * angle)) for angle in angles])
 
 
 def _disc(radius: ag.Scalar, near: ag.Scalar, far: ag.Scalar, bevel: ag.Scalar) -> ag.Solid:

@@ -8,7 +8,7 @@ from typing import Literal
 
 import artgen as ag
 from artgen import details
-from artgen.categories.shared import vessels
+from artgen.categories.shared import polar, vessels
 from artgen.categories.soap_dispenser.finish import ink_on
 from artgen.nodes.handles import Path
 
@@ -108,8 +108,7 @@ def _between(plan: ag.Profile, low: ag.Scalar, high: ag.Scalar, bevel: ag.Scalar
 def fluted(count: int, steps: int, depth: float, power: int = 1) -> ag.Profile:
     """Make a circle of radius 1 with flutes of a depth, of so many steps each."""
     angles = [math.tau * step / (steps * count) for step in range(steps * count)]
-    radii = [1 - depth * (0.5 - 0.5 * math.cos(count * angle)) ** power for angle in angles]
-    return ag.polygon([(r * math.cos(a), r * math.sin(a)) for r, a in zip(radii, angles, strict=True)])
+    return polar([1 - depth * (0.5 - 0.5 * math.cos(count * angle)) ** power for angle in angles])
 
 
 def opaque(shape: Shape, space: ag.Region, finish: ag.Material) -> ag.Body:

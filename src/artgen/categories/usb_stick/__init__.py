@@ -108,13 +108,13 @@ def usb_stick(
     corner = 0.0025 if shape == "square" else 0.0065
     match style:
         case "swivel":
-            return _swivel(length, width, height, click, finish, metal, tongue, f"{maker}|{size}")
+            return _swivel(length, width, height, click, finish, metal, tongue, (maker, size))
         case "slider":
-            return _slider(length, width, height, corner, force, finish, tongue, f"{maker}|{size}")
+            return _slider(length, width, height, corner, force, finish, tongue, (maker, size))
         case "dual":
             return _dual(length, width, height, force, finish, metal, tongue, size)
         case "cap":
-            return _capped(length, width, height, corner, force, finish, tongue, f"{maker}|{size}")
+            return _capped(length, width, height, corner, force, finish, tongue, (maker, size))
     return _rugged(length, width / 2, finish, tongue, maker)
 
 
@@ -150,9 +150,9 @@ def _small_plug(x: ag.Scalar, z: ag.Scalar) -> list[ag.Body]:
     return [ag.part(shell, "plug", _SHELL), ag.part(root, "plug", _SHELL)]
 
 
-def _words(text: str, at: ag.VectorLike, wide: ag.Scalar, face: ag.Material) -> ag.Body:
+def _words(text: tuple[str, str], at: ag.VectorLike, wide: ag.Scalar, face: ag.Material) -> ag.Body:
     """Print the maker and the size on the top of a stick."""
-    maker, size = text.split("|")
+    maker, size = text
     high = ag.min_(0.0026, wide / details.lettering_width(maker.upper(), 0.3))
     lines = details.logo(maker, high).at(0, 0.0024) | details.lettering((size,), 0.9 * high).at(0, -0.0024)
     return details.printed(lines, at, material=controls.ink_on(face), facing=ag.Z, up=ag.Y)
@@ -179,7 +179,7 @@ def _swivel(
     finish: ag.Material,
     metal: ag.Material,
     tongue: ag.Material,
-    words: str,
+    words: tuple[str, str],
 ) -> ag.Body:
     """Make a stick that turns in its cover; the pivot is at the origin."""
     front = length - _PIVOT  # of the cover [m]
@@ -221,9 +221,9 @@ def _swivel(
     return cover.attach(body, turn).at(-(front - broad / 2) / 2)
 
 
-def _fitted(words: str, tall: float, wide: ag.Scalar) -> ag.Profile:
+def _fitted(words: tuple[str, str], tall: float, wide: ag.Scalar) -> ag.Profile:
     """Make the name of the maker within a height and a width."""
-    maker, _ = words.split("|")
+    maker, _ = words
     return details.logo(maker, ag.min_(tall, wide / details.lettering_width(maker.upper(), 0.3)))
 
 
@@ -248,7 +248,7 @@ def _slider(
     force: ag.Scalar,
     finish: ag.Material,
     tongue: ag.Material,
-    words: str,
+    words: tuple[str, str],
 ) -> ag.Body:
     """Make a stick whose plug a thumb slides out of its case."""
     half, travel, mid = length / 2, 0.0135, height / 2
@@ -343,7 +343,7 @@ def _capped(
     force: ag.Scalar,
     finish: ag.Material,
     tongue: ag.Material,
-    words: str,
+    words: tuple[str, str],
 ) -> ag.Body:
     """Make a stick with a cap over its plug."""
     half, mid = length / 2, height / 2

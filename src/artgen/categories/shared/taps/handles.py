@@ -9,6 +9,7 @@ from typing import Literal
 
 import artgen as ag
 from artgen import details, feel
+from artgen.categories.shared import polar
 from artgen.categories.shared.finish import casting
 from artgen.categories.shared.taps.stands import post
 
@@ -127,9 +128,7 @@ def _handle(
 
 def _lobed() -> ag.Profile:
     """Make the outline of a knob with eight lobes."""
-    angles = [math.tau * step / 64 for step in range(64)]
-    radii = [0.0217 + 0.0011 * math.cos(8 * angle) for angle in angles]
-    return ag.polygon([(r * math.cos(a), r * math.sin(a)) for r, a in zip(radii, angles, strict=True)])
+    return polar([0.0217 + 0.0011 * math.cos(8 * math.tau * step / 64) for step in range(64)])
 
 
 def mixer(
