@@ -27,7 +27,7 @@ from artgen.scene.room import GAP, STANDING, Placement, Wall
 
 _DESK = 0.70  # height of what stands under a desk [m]
 _GIFT: dict[str, Any] = {"style": "gift", "closure": "lift", "size": "small"}
-_CLOCK: dict[str, Any] = {"style": "mantel", "wide": 0.21, "slender": 1.5, "top": "flat"}
+_CLOCK: dict[str, Any] = {"style": "mantel", "width": 0.21, "slender": 1.5, "top": "flat"}
 _ROUND = 0.14  # radius of the corners of a bathtub [m]
 
 

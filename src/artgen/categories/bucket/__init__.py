@@ -261,7 +261,8 @@ def _staved(plan: _Plan, hoops: int) -> ag.Body:
     ]
     inner = ag.cylinder(plan.at(0.02) - wall - 0.0002, 0.012).at(z=0.024)
     body = ag.part([*staves, inner], "stave", plan.finish, name="bucket")
-    levels = {3: (0.10, 0.44, 0.80)}.get(hoops, (0.12, 0.74))
+    ag.require(hoops in (2, 3), f"a pail of staves must have 2 or 3 hoops, got rings={hoops}")
+    levels = {2: (0.12, 0.74), 3: (0.10, 0.44, 0.80)}[hoops]
     rings = []
     for share in levels:
         low, tall = share * high, 0.022

@@ -75,7 +75,7 @@ _LENSES = {
 def camera(
     *,
     style: Style = ag.choice({"compact": 0.26, "reflex": 0.26, "film": 0.2, "instant": 0.16, "webcam": 0.12}),
-    wide: ag.Float = ag.by(
+    width: ag.Float = ag.by(
         "style",
         compact=ag.uniform(0.095, 0.111),
         reflex=ag.uniform(0.127, 0.140),
@@ -120,7 +120,7 @@ def camera(
     maker: str = ag.choice(*details.BRANDS),
 ) -> ag.Body:
     """Make a camera with its lens drawn in."""
-    wide = require_size(wide, _WIDTHS[style], f"width of a {style} camera")
+    wide = require_size(width, _WIDTHS[style], f"width of a {style} camera")
     lens = require_size(lens, _LENSES[style], f"radius of the lens of a {style} camera")
     if style in ("reflex", "film"):
         length = require_size(length, (0.036, 0.12), f"length of the lens of a {style} camera")

@@ -78,7 +78,7 @@ def clock(
         otherwise="round",
         doc="round or square with a lens; a disc with bare hands, alone or between rays; a block or a wedge",
     ),
-    wide: ag.Float = ag.by(
+    width: ag.Float = ag.by(
         "style",
         wall=ag.uniform(0.22, 0.38),
         bells=ag.uniform(0.096, 0.120),
@@ -88,7 +88,7 @@ def clock(
         digital=ag.uniform(0.125, 0.185),
         unit="m",
         within=(0.09, 0.60),
-        doc="width; diameter of the disc of a clock with rays",
+        doc="of a clock with rays the diameter of its disc",
     ),
     slender: ag.Float = ag.by(
         "style",
@@ -140,7 +140,7 @@ def clock(
     maker: str = ag.choice(*details.BRANDS),
 ) -> ag.Body:
     """Make a clock with its doors shut."""
-    wide = require_size(wide, _WIDTHS.get(style, (0.09, 0.6)), f"width of a {style} clock")
+    wide = require_size(width, _WIDTHS.get(style, (0.09, 0.6)), f"width of a {style} clock")
     if style in _SLENDER:
         least = _SLENDER[style]
         what = f"height of a {style} clock must be >= {least:g} times its width"

@@ -93,7 +93,7 @@ def knife(
         hunter=ag.uniform(0.104, 0.126),
         ring=ag.uniform(0.094, 0.128),
         multi=ag.uniform(0.084, 0.093),
-        cutter=ag.uniform(0.130, 0.170),
+        cutter=ag.by("wide", {9: ag.uniform(0.130, 0.160), 18: ag.uniform(0.148, 0.170)}),
         utility=ag.uniform(0.150, 0.166),
         unit="m",
         within=(0.08, 0.20),
@@ -135,7 +135,7 @@ def knife(
     match style:
         case "cutter":
             least = 0.128 if wide == 9 else 0.148
-            length = ag.max_(length, least)
+            length = ag.require(length, length >= least, f"a cutter of {wide} mm must be {least:g} m long")
             return _cutter(length, wide, click, finish, trim, maker, screwed=lock == "screw")
         case "utility":
             return _utility(length, click, finish, trim, maker)

@@ -114,9 +114,12 @@ class _Plan:
 
 
 _WIDTHS = {"fold": (0.068, 0.085), "desk": (0.17, 0.22)}
-_LENGTHS = {"fold": (0.080, 0.110), "desk": (0.19, 0.24)}
+_LENGTHS = {
+    "flip": (0.100, 0.15), "slider": (0.098, 0.15), "bar": (0.114, 0.16), "fold": (0.080, 0.110),
+    "desk": (0.19, 0.24),
+}  # fmt: skip
 _THICK = {"fold": (0.007, 0.012), "desk": (0.026, 0.04)}
-"""Sizes of smartphones and of desk telephones [m]; others have rows of keys."""
+"""Possible sizes by style [m]; others have the sizes of their rows of keys."""
 
 
 @ag.category(
@@ -137,15 +140,16 @@ def phone(
         unit="m",
         within=(0.049, 0.22),
     ),
-    spare: ag.Float = ag.by(
+    length: ag.Float = ag.by(
         "style",
+        flip=ag.uniform(0.101, 0.106),
+        slider=ag.uniform(0.099, 0.104),
+        bar=ag.uniform(0.117, 0.126),
         fold=ag.uniform(0.084, 0.088),
         desk=ag.uniform(0.205, 0.225),
-        bar=ag.uniform(0.003, 0.012),
-        otherwise=ag.uniform(0.001, 0.006),
         unit="m",
-        within=(0.0, 0.24),
-        doc="length beyond keys and screen; of a smartphone or a desk telephone its length",
+        within=(0.08, 0.24),
+        doc="length while it is closed",
     ),
     thick: ag.Float = ag.by(
         "style",
@@ -184,14 +188,13 @@ def phone(
 ) -> ag.Body:
     """Make a closed phone on its back."""
     width = require_size(width, _WIDTHS.get(style, (0.049, 0.060)), f"width of a {style} phone")
-    spare = require_size(spare, _LENGTHS.get(style, (0.0, 0.05)), f"spare length of a {style} phone")
+    length = require_size(length, _LENGTHS[style], f"length of a {style} phone")
     thick = require_size(thick, _THICK.get(style, (0.0085, 0.02)), f"thickness of a {style} phone")
     travel = require_size(
         travel, (0.0002, 0.002 if style == "desk" else 0.0008), f"travel of a {style} phone"
     )
     stroke = keypads.Stroke(travel, 0.4 * force, force, friction=0.04, effort=6.0)
-    long = {"flip": 0.100, "slider": 0.098, "bar": 0.114}.get(style, 0.0) + spare
-    room = ag.Region.centered(width, long, 0.0).with_(z=(0, thick))
+    room = ag.Region.centered(width, length, 0.0).with_(z=(0, thick))
     plan = _Plan(style, room, corner, finish, keys, stroke, picture, clock, maker)
     match style:
         case "flip":

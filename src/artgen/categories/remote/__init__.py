@@ -243,9 +243,8 @@ def remote(
         tail = require_size(tail, (0.020, 0.07), f"length below the keys of a {style} remote")
     stroke = keypads.Stroke(travel, 0.35 * force, force, friction=0.05, effort=8.0)
     if style in ("car", "gate"):
-        return _fob(
-            style, width, thick, tail, min(max(extra, 1), 4), stroke, shape, corner, finish, rubber, maker
-        )
+        ag.require(1 <= extra <= 4, f"a fob of a {style} must have 1 to 4 keys, got extra={extra}")
+        return _fob(style, width, thick, tail, extra, stroke, shape, corner, finish, rubber, maker)
     look = finish if panel == "body" else _PANELS[panel]
     head = {"tv": 0.012, "stick": 0.011, "air": 0.052}[style]
     plan = _Plan(width, thick, finish, rubber, look, stroke, shape, maker)
@@ -261,7 +260,7 @@ def remote(
                 rows.row(legends, pitch, deep=0.0075, step=0.0150)
     lower = rows.y - 0.0015
     if style == "air":
-        extra = max(extra, 1)
+        ag.require(extra >= 1, "a remote of an air conditioner must have a row of keys below, got extra=0")
         tail = tail + _ROW * extra + 0.052
     room = ag.Region((-width / 2, width / 2), (lower - tail, 0.0), (0.0, thick))
     body = _case(plan, room, corner, hold, flat=style == "air")

@@ -175,7 +175,7 @@ def push_button(
     plate: ag.Material | None = None,
     name: str = "button",
 ) -> Fitting:
-    """Make a button with its joint `{name}_slide`, in a hole of the depth `through` [m], with a plate or bare."""
+    """Make a button with its joint `{name}_slide`, in a hole of depth `through` [m], perhaps with a plate."""
     cap = button_cap(
         finish=finish,
         shape=shape,
