@@ -227,7 +227,7 @@ def _button(plan: _Plan, shell: ag.Solid, side: int, name: str, force: ag.Scalar
     spring = ag.Spring(preload=0.45 * force * lever, force=force * lever)
     bend = ag.Revolute(
         f"{name}_press", axis=-ag.X, pivot=(0, plan.split, _SEAM), limits=(0, _CLICK / lever), spring=spring,
-        friction=0.001, damping=0.002, armature=2e-5, effort=0.25,
+        friction=0.001, damping=0.02, armature=2e-5, effort=0.25,
     )  # fmt: skip
     return ag.part(solid, "button", casting(plan.finish, 0.40), name=name, push=touch), bend
 
