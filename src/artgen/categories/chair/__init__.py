@@ -116,6 +116,7 @@ def chair(
         case "folding":
             return _folding(ag.require(height, height <= 0.47, "height must be <= 0.47 m"), cover, metal)
         case "recliner":
+            tall = ag.require(tall, tall >= 0.3, "tall of a recliner must be >= 0.3 m")
             return _recliner(height, width, tall, tilt, cover, metal, arms)
         case "office":
             tall = ag.require(tall, tall >= 0.32, "tall of an office chair must be >= 0.32 m")
