@@ -114,6 +114,8 @@ def stapler(
         case "punch":
             return _punch(length, width, tall, swing, lift, housing, accent, maker, shape)
         case _:
+            if style == "heavy":
+                tall = ag.require(tall, tall >= 0.032, "tall of a heavy stapler must be >= 0.032 m")
             return _desk(style, length, width, tall, swing, lift, click, housing, accent, maker, shape)
 
 

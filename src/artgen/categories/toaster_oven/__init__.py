@@ -151,8 +151,12 @@ def toaster_oven(
     made = _Dials(knob, radius, torque, cap, metal, ink)
     lines = (f"{maker.upper()} {watts // 10}", f"220-240 V~ 50/60 Hz {watts} W")
     foot = 0.012
-    room = ag.Region((-width / 2, width / 2), (-depth / 2, depth / 2), (foot, height))
     ag.require(style == "fryer" or form == "block", "form=round is for style=fryer")
+    if style == "dual":
+        width = ag.require(width, width >= 0.35, "width of a dual fryer must be >= 0.35 m")
+    elif form == "round":
+        width = ag.require(width, width <= 0.32, "width of a round fryer must be <= 0.32 m")
+    room = ag.Region((-width / 2, width / 2), (-depth / 2, depth / 2), (foot, height))
     if style != "oven":
         return _fryer(
             room, soft, finish, made, pull, lines, maker, dual=style == "dual", rounded=form == "round"
