@@ -350,6 +350,10 @@ def test_friction_may_keep_a_spring_from_its_rest_by_its_width():
     assert not checked(door(stiffness=4.0, rest=0.5, friction=1.0, damping=0.5)).findings
 
 
+def test_friction_may_hold_at_one_end_against_a_spring_that_moves_a_joint_from_the_other():
+    assert not checked(door(stiffness=1.4, rest=0.8, friction=1.0, damping=0.1)).findings
+
+
 def test_friction_that_holds_against_a_spring_everywhere_is_told():
     faults = checked(door(stiffness=0.5, rest=0.5, friction=1.0, damping=0.5)).faults
     missed = "5 s after its spring should have taken it to 0.5 rad: "

@@ -247,11 +247,11 @@ def _release(simulation: Simulation, motion: JointMotion, state: Mapping[str, fl
     low, high = motion.joint.limits or (motion.rest - quarter, motion.rest + quarter)
     target = min(max(motion.rest, low), high)
     near, sticks = _RETURNED * (high - low), motion.friction / motion.stiffness
-    for end in (low, high):
-        if abs(end - target) <= near:
-            continue
-        # friction holds the joint near the rest of its spring, but not at the end from which it is released
-        width = max(near, sticks) if abs(end - motion.rest) > sticks else near
+    ends = [end for end in (low, high) if abs(end - target) > near]
+    # friction may hold the joint near the rest of its spring, but not at all ends from which it is released
+    moves = any(abs(end - motion.rest) > sticks for end in ends)
+    width = max(near, sticks) if moves else near
+    for end in ends:
         simulation.begin({**state, motion.name: end}, f"{motion.name} springs back")
         try:
             swing = _swing(simulation, motion, servos(simulation, state))
