@@ -6,11 +6,12 @@
 A keyword of the joint replaces the value of the preset: `feel=feel.RUNNER, friction=3.0`.
 """
 
+from artgen.nodes.handles import GRAVITY
 from artgen.nodes.joint import Feel, detents, soft_closing
 
 __all__ = [
-    "CASTER", "DETENT", "DIAL", "GAS_SPRING", "HINGE", "LATCH", "LEVER", "PIVOT", "RUNNER", "SWITCH", "Feel",
-    "detents", "soft_closing",
+    "CASTER", "DETENT", "DIAL", "GAS_SPRING", "GRAVITY", "HINGE", "LATCH", "LEVER", "PIVOT", "RUNNER",
+    "SWITCH", "Feel", "detents", "soft_closing",
 ]  # fmt: skip
 
 SWITCH = Feel(damping=6.0, friction=0.1, armature=0.03, effort=12.0)

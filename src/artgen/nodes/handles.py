@@ -28,9 +28,12 @@ from artgen.nodes.scalar_handles import (
 )
 
 __all__ = [
-    "Array3", "ArrayN3", "Body", "Bool", "Condition_", "Float", "Path", "Points", "PointsLike", "Profile",
-    "Scalar", "Solid", "Span", "Vector", "VectorLike", "offset_of",
+    "GRAVITY", "Array3", "ArrayN3", "Body", "Bool", "Condition_", "Float", "Path", "Points", "PointsLike",
+    "Profile", "Scalar", "Solid", "Span", "Vector", "VectorLike", "offset_of",
 ]  # fmt: skip
+
+GRAVITY = 9.81
+"""Gravity, by which parts have a weight [m/s^2]."""
 
 LITERAL_TYPES[Material] = LiteralType("material", Material.to_data, Material.from_data)
 
@@ -246,6 +249,16 @@ class Body(Handle):
     def mass(self) -> Float:
         """Return the mass with all links joined to this one [kg]."""
         return Float.record("mass", body=self)
+
+    def weight(self) -> Float:
+        """Return the weight with all links joined to this one [N].
+
+        Examples:
+            >>> seat = part(box(0.4, 0.4, 0.05), "seat", material("oak"))
+            >>> column = part(cylinder(0.02, 0.4).at(z=-0.25), "column", material("steel"))
+            >>> column.attach(seat, Prismatic("lift", axis=Z, limits=(0, 0.1), friction=1.5 * seat.weight()))
+        """
+        return GRAVITY * self.mass()
 
     def center_of_mass(self) -> Vector:
         """Return the center of mass with all links joined to this one, at rest [m]."""

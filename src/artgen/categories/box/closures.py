@@ -8,6 +8,7 @@ from collections.abc import Sequence
 from typing import Literal
 
 import artgen as ag
+from artgen import feel
 from artgen.categories.box import prints
 from artgen.categories.box.board import AXIS, FOLD, SLIT, Board, Side, together, tongue
 from artgen.categories.box.finish import TAPE
@@ -164,7 +165,7 @@ class Lid:
             reach=self.reach,
             opening=board.opening,
             fresh=True,
-            holding=9.81 * mass * 0.62 * self.reach,  # an open lid with its flaps out stays up
+            holding=feel.GRAVITY * mass * 0.62 * self.reach,  # an open lid with its flaps out stays up
             damping=ag.max_(board.damping, calm),
         )
         self.away = self.turn > _AWAY  # the condition that the space above the box is free

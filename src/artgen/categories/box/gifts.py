@@ -4,10 +4,10 @@ import math
 from typing import Literal
 
 import artgen as ag
-from artgen import details
+from artgen import details, feel
 from artgen.categories.box.board import Board, walls
 from artgen.categories.box.finish import GOLD, foam
-from artgen.categories.box.kinds import GRAVITY, PLAY, capped
+from artgen.categories.box.kinds import PLAY, capped
 from artgen.categories.box.prints import Look, pull_tab, put
 
 Closure = Literal["lift", "flap", "drawer"]
@@ -122,7 +122,7 @@ def flapped(
     # the name, for a reader at the free edge
     name = put(look.stamp(case), (0.0, 0.5 * depth, 0.0), GOLD, ag.Z, (0.0, -1.0, 0.0))
     top = ag.part(board.sheet(sheet.plan()), "lid", board.outside).install(front)
-    moment = GRAVITY * board.outside.density * t * width * long * 0.62 * long  # of the open lid [N m]
+    moment = feel.GRAVITY * board.outside.density * t * width * long * 0.62 * long  # of the open lid [N m]
     swing = board.crease(
         "lid_hinge", length=width, reach=long, opening=board.opening, fresh=True, holding=0.4 * moment
     )

@@ -17,7 +17,6 @@ from artgen.nodes.fitting import Fitting
 PLAY = 0.0012
 """Gap between sliding parts, at each side [m]."""
 
-GRAVITY = 9.81  # [m/s2]
 
 _ENDS: tuple[Mouth, ...] = ("_left", "_right")
 _LOW_COVER = "the cover would protrude too little from its tray: raise height"
@@ -51,7 +50,7 @@ def slotted_box(
 
 def _lift(name: str, moved: ag.Body, *, travel: ag.Scalar, rub: ag.Scalar) -> ag.Joint:
     """Make the joint of a loose lid; `rub` is its friction as a share of its weight."""
-    weight = GRAVITY * moved.mass()
+    weight = moved.weight()
     drag = feel.Feel(damping=4.0, friction=rub * weight, effort=4 * weight + 4.0)  # the gap draws in air
     return ag.Prismatic(name, axis=ag.Z, limits=(0.0, travel), feel=drag)
 
@@ -214,7 +213,7 @@ def wine_box(
             limits=(0.0, 0.32),
             friction=0.3,
             damping=3.0,
-            effort=1.03 * GRAVITY * bottle.mass() + 0.3,  # the lifting force opens no flap
+            effort=1.03 * bottle.weight() + 0.3,  # the lifting force opens no flap
             needs=functools.reduce(operator.and_, needs).beyond(above - low - _TALL - 0.002),
         )
         at = (cell * (column - (columns - 1) / 2), cell * (row - (rows - 1) / 2), low)

@@ -234,7 +234,9 @@ def _vessel(plan: _Plan, rings: int) -> ag.Body:
         seam = ag.box(0.004, 0.004, 1.0, bevel=0.001).at(z=0.5)  # the lock seam at the back
         lean = ag.atan2(plan.rim - plan.foot, high)
         strip = (
-            seam.split(point=(0, 0, 0.92 * high), normal=-ag.Z).rotate(ag.X, -lean).at(y=plan.foot + 0.0006)
+            seam.split(point=(0, 0, 0.92 * high), normal=-ag.Z)
+            .rotate(ag.X, -lean)
+            .at(0, plan.foot + 0.0006, 0.0005)
         )
         swages.append(strip)
     return ag.weld(body, ag.detail(swages, "bucket", plan.finish)) if swages else body

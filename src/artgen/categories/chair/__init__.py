@@ -147,7 +147,7 @@ def chair(
         seat = _tilting(seat, back, height, tall, tilt, torque)
     seat = _levered(seat, ag.min_(width, 0.58 if style == "office" else 0.46), top)
     lift = ag.Prismatic(
-        "seat_lift", axis=ag.Z, limits=(0, travel), damping=400.0, friction=1.5 * seat.mass() * 9.81,
+        "seat_lift", axis=ag.Z, limits=(0, travel), damping=400.0, friction=1.5 * seat.weight(),
         effort=900.0, velocity=0.2, driven="a gas spring, while the lever is pulled",
     )  # fmt: skip
     swivel = ag.Revolute("seat_swivel", axis=ag.Z, damping=0.4, friction=0.6, effort=60.0)

@@ -30,7 +30,6 @@ _HALF_RECESS = 0.037  # half the height of a recessed grip [m]
 _POCKET = 0.030  # depth of a pocket [m]
 _BEFORE_POCKET = 0.0155  # thickness of the door before a pocket: the lip for the fingers [m]
 _BEHIND_POCKET = 0.0376  # distance from the front to the back of a pocket [m]
-_GRAVITY = 9.81
 _HANDLE = 0.35  # approximate mass of a handle [kg]
 _DENSITY = 480.0  # density of a console with its electronics [kg/m3]
 _LAP = 0.0005  # overlap of boards, so that they share no corners [m]
@@ -140,7 +139,7 @@ class Front:
             moment = moment + stuff.density * solid.volume() * (solid.centroid().z - axle)
         for solid in console:
             moment = moment + _DENSITY * solid.volume() * (plan.door.z.high - axle - 0.03)
-        stiffness = _GRAVITY * moment * ag.sin(plan.swing) / plan.swing
+        stiffness = feel.GRAVITY * moment * ag.sin(plan.swing) / plan.swing
         # torque of 60 N at the handle
         drag = feel.Feel(friction=pull * (self.grip - axle), damping=2, effort=40, velocity=4)
         return ag.Revolute(

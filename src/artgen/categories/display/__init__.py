@@ -100,7 +100,7 @@ def display(
     plan = _Plan(style, wide, tall, raised + tall / 2, case, metal, maker)
     screen = _screen(plan, margin, picture, keys)
     pivot = (0, plan.back + 0.020, plan.level)
-    hold = feel.Feel(friction=0.06 * 9.81 * screen.mass(), damping=0.15, effort=60.0)
+    hold = feel.Feel(friction=0.06 * screen.weight(), damping=0.15, effort=60.0)
     tilt = ag.Revolute("screen_tilt", axis=-ag.X, pivot=pivot, limits=(-0.08, 0.33), feel=hold)
     base, column = _base(plan, foot), plan.axis
     turn = ag.Revolute(
@@ -109,7 +109,7 @@ def display(
     )  # fmt: skip
     if style == "rising":
         carriage = _carriage(plan).attach(screen, tilt)
-        weight = 9.81 * carriage.mass()
+        weight = carriage.weight()
         lift = ag.Prismatic(
             "height_slide", axis=ag.Z, limits=(0, travel), stiffness=weight, rest=1 + travel / 2,
             friction=0.22 * weight, damping=20.0, effort=200.0,

@@ -30,7 +30,6 @@ Style = Literal["desk", "pedestal", "box", "clip"]
 Panel = Literal["buttons", "dial"]
 """Keys for the speeds, or a dial that clicks."""
 
-_G = 9.81
 _WIRE = 0.0011  # radius of the other wires [m]
 _CHEEK = 0.0065  # thickness of the cheeks of the neck [m]
 _HINGE = 0.0115  # radius of the hinge of the tilt [m]
@@ -139,7 +138,7 @@ def fan(
     head = _head(plan, rotor, wires, shell, wire, maker, swings=style != "clip")
     neck = _neck(plan, shell)
     center = head.center_of_mass()
-    hold = 1.2 * _G * head.mass() * (abs(center.y) + 0.3 * abs(center.z))
+    hold = 1.2 * head.weight() * (abs(center.y) + 0.3 * abs(center.z))
     lean = ag.Revolute(
         "head_tilt", axis=-ag.X, limits=(-tilt, tilt), friction=hold, damping=0.05, effort=2.5 * hold + 2.0
     )
@@ -381,7 +380,7 @@ def _pedestal(
     )
     pole = _console(pole, "buttons", (0, box.y.low, box.z.low + 0.030), shell)
     pole = pole.attach(neck, turn, at=(0, 0, top + FIT.running))
-    weight = _G * pole.mass()
+    weight = pole.weight()
     lift = ag.Prismatic(
         "pole_slide", axis=ag.Z, limits=(0, rise), friction=1.07 * weight, damping=20.0, effort=3.0 * weight
     )

@@ -17,7 +17,6 @@ from artgen.categories.lamp.shades import Head
 
 ArmStyle = Literal["rods", "tube", "flat"]  # thin round bars, a round tube or square bars, or flat bars
 
-GRAVITY = 9.81  # [m/s2]
 POLE = 0.0095  # radius of the pole for the arm of a reading lamp [m]
 
 _INNER = 0.005  # half the width of the inner lane [m]
@@ -219,7 +218,8 @@ def _headed(arm: ag.Body, arms: Arms, at: ag.Vector, lean: ag.Scalar) -> ag.Body
     filled = arms.head.spread(_HANG, _BESIDE) + 0.03 - lean
     forward = ag.max_(arms.tilt, filled + _BACK)  # a wide shade points farther forward, away from its arm
     limits = (_UP, ag.min_(forward - filled, 1.1))
-    hinge = Load().free(GRAVITY * mass, far).hinge("shade_hinge", limits, force=4, reach=0.08, damping=0.01)
+    load = Load().free(feel.GRAVITY * mass, far)
+    hinge = load.hinge("shade_hinge", limits, force=4, reach=0.08, damping=0.01)
     return arm.attach(hung.rotate(ag.Y, -forward), hinge, at=at)
 
 
@@ -227,8 +227,8 @@ def _single(arms: Arms, low: ag.Scalar, high: ag.Scalar) -> tuple[ag.Body, ag.Jo
     """Make one arm with its shade about its hinge, with its joint and its mass without the shade."""
     _, mass, far = arms.hung()
     bar = _arm("arm_lower", arms, arms.length, outer=False)
-    own, weight = bar.mass(), GRAVITY * mass
-    load = Load().lever(GRAVITY * own, arms.length / 2, low, high).lever(weight, arms.length, low, high)
+    own, weight = bar.mass(), feel.GRAVITY * mass
+    load = Load().lever(feel.GRAVITY * own, arms.length / 2, low, high).lever(weight, arms.length, low, high)
     limits = (low - arms.lean, high - arms.lean)
     hinge = load.free(weight, far).hinge("arm_lower_hinge", limits, force=5, reach=arms.length)
     body = _headed(bar.rotate(ag.Y, arms.lean), arms, _tip(arms.length, arms.lean), arms.lean)
@@ -253,7 +253,7 @@ def two_arms(arms: Arms) -> Carried:
     chrome = ag.material("chrome")
     first = _arm("arm_lower", arms, lower, outer=True, spring=chrome)
     second = _arm("arm_upper", arms, upper, outer=False, spring=chrome)
-    own, beyond, weight = GRAVITY * first.mass(), GRAVITY * second.mass(), GRAVITY * mass
+    own, beyond, weight = first.weight(), second.weight(), feel.GRAVITY * mass
     low, high = -lean - 0.42, 0.16
     # largest angle of the upper arm, with the lower arm at its limit
     folded = _steepest((arms.head.reach + _HANG + _OVER - lower * math.cos(high)) / upper)
@@ -271,7 +271,7 @@ def two_arms(arms: Arms) -> Carried:
     chain = first.rotate(ag.Y, -lean).attach(second, bend, at=_tip(lower, -lean))
     body = _turret(arms.finish, outer=False).attach(chain, swing, at=(0, 0, _POST))
     far = lower * math.sin(high)
-    moment = (own * far / 2 + beyond * (far + upper / 2) + weight * (far + upper + heavy)) / GRAVITY
+    moment = (own * far / 2 + beyond * (far + upper / 2) + weight * (far + upper + heavy)) / feel.GRAVITY
     return Carried(body, moment, (arms.turn(),))
 
 
@@ -279,7 +279,7 @@ def light_bar(arms: Arms) -> Carried:
     """Make an LED bar on an arm."""
     length, bar, lean = arms.length, arms.upper, arms.lean
     first, shade = _arm("arm_lower", arms, length, outer=True), _bar(arms.finish, bar)
-    own, weight, heavy = GRAVITY * first.mass(), GRAVITY * shade.mass(), shade.center_of_mass().norm()
+    own, weight, heavy = first.weight(), shade.weight(), shade.center_of_mass().norm()
     low, high = -lean - 0.45, 0.40
     bent = ag.min_(_steepest((0.045 - length * math.cos(high)) / bar) - high, 2.2)
     straight, between = 0.35, math.pi / 2 + lean  # angles between the arm and the bar
@@ -294,7 +294,7 @@ def light_bar(arms: Arms) -> Carried:
     body = _turret(arms.finish, outer=False).attach(chain, swing, at=(0, 0, _POST))
     body = body.require(bent - between > 0.15, "the bar " + _NO_RANGE.format("downward"))
     far = length * math.sin(high)
-    return Carried(body, (own * far / 2 + weight * (far + heavy)) / GRAVITY, (arms.turn(),))
+    return Carried(body, (own * far / 2 + weight * (far + heavy)) / feel.GRAVITY, (arms.turn(),))
 
 
 def _bar(finish: ag.Material, length: ag.Scalar) -> ag.Body:
@@ -323,7 +323,7 @@ def reading_arm(arms: Arms) -> Carried:
     arm, hinge, own = _single(arms, low, high)
     body = _clamp(arms.finish, out).attach(arm, hinge, at=(out, 0, 0))
     body = body.require(arms.lean - low > 0.15, "the arm " + _NO_RANGE.format("upward"))
-    weight = GRAVITY * body.mass()
+    weight = body.weight()
     # a hand slides it with less than 60 N
     drag = feel.Feel(friction=_HOLDS * weight, damping=8.0, effort=(1 + _HOLDS) * weight + 15)
     slide = ag.Prismatic("height_slide", axis=ag.Z, limits=(0.0, arms.travel), feel=drag)
@@ -376,7 +376,7 @@ def arc_arm(arms: Arms) -> Carried:
     strikes = "the shade would strike the bow: raise reach, or lower shade_radius or shade_height"
     limits = (-_SWING, ag.require(towards, towards > _LEAST_SWING, strikes))
     shade, mass, lever = arms.hung()
-    load = Load().free(GRAVITY * mass, lever)
+    load = Load().free(feel.GRAVITY * mass, lever)
     swing = load.hinge("shade_hinge", limits, force=4, reach=0.12, damping=0.02)
     moment = bow.mass() * 0.45 * reach + mass * (reach + lever)
     return Carried(bow.attach(shade, swing, at=end), moment, (arms.turn(),))

@@ -29,7 +29,6 @@ BLACK = ag.material("black_glass")
 SWEEP = 4.7
 """Turn of a dial from off to its end [rad]."""
 
-_GRAVITY = 9.81
 _HANDLE, _HALF = 0.45, 0.016  # approximate mass of a handle [kg], and its largest half height [m]
 _START = 0.45  # angle from off, at the top, to the first position of a scale [rad]
 _FUNCTIONS = ("heat_both", "heat_bottom", "grill", "hot_air", "defrost", "oven_light")
@@ -87,7 +86,7 @@ def door(
     moment: ag.Scalar = _HANDLE * lever
     for solid, _, stuff in pieces:
         moment = moment + stuff.density * solid.volume() * (solid.centroid().z - axle)
-    stiffness = _GRAVITY * moment * ag.sin(swing) / swing
+    stiffness = feel.GRAVITY * moment * ag.sin(swing) / swing
     drag = feel.Feel(friction=pull * lever, damping=2.5, effort=60 * lever, velocity=4)
     hinge = ag.Revolute(
         "door_hinge", axis=ag.X, pivot=plan.hinge, limits=(0, swing), stiffness=stiffness, feel=drag

@@ -359,7 +359,7 @@ def _hinged(body: ag.Body, lid: ag.Body, radius: ag.Scalar, high: ag.Scalar, fin
         | ag.box(0.010, 0.010, 0.012).align((x, axle, low + up), z=1)
         for x in (-0.0228, 0.0228)
     ]
-    hold = 1.3 * 9.81 * lid.mass() * radius
+    hold = 1.3 * lid.weight() * radius
     drag = feel.Feel(friction=hold, damping=0.3, effort=80.0)
     hinge = ag.Revolute("lid_hinge", axis=-ag.X, pivot=(0, axle, up), limits=(0, 1.45), feel=drag)
     return ag.weld(body, ag.part([block, *ears], "hinge", finish)).attach(lid, hinge, at=(0, 0, low))

@@ -289,6 +289,6 @@ def _lid(plan: _Plan, *, feeder: bool) -> tuple[ag.Body, ag.Joint]:
     pivot = (0, slab.y.high - 0.004, case.z.high + 0.0092)
     hinge = ag.Revolute(
         "lid_hinge", axis=-ag.X, pivot=pivot, limits=(0, 1.15), damping=0.4,
-        friction=1.15 * 9.81 * lid.mass() * (pivot[1] - lid.center_of_mass().y), effort=60.0,
+        friction=1.15 * lid.weight() * (pivot[1] - lid.center_of_mass().y), effort=60.0,
     )  # fmt: skip
     return lid, hinge

@@ -34,7 +34,6 @@ Tool = Literal["beater", "whisk", "hook"]
 Form = Literal["bullet", "round", "square"]
 """Heads that taper to the front, tubes with round ends, and flat ones with rounded edges."""
 
-_G = 9.81
 _FLOOR = 0.034  # height of the plate below the bowl [m]
 _FOOT = 0.012  # height of the foot of a bowl [m]
 _DEEP = 0.108  # depth of the column [m]
@@ -140,7 +139,7 @@ def stand_mixer(
     pivot = (0.0, back + 0.042, top + _AXLE[0])
     center = head.center_of_mass()
     arm, up = pivot[1] - center.y, center.z - pivot[2]
-    hold = 1.2 * _G * head.mass() * (arm * ag.cos(tilt) - up * ag.sin(tilt))
+    hold = 1.2 * head.weight() * (arm * ag.cos(tilt) - up * ag.sin(tilt))
     swing = ag.Revolute(
         "head_tilt", axis=-ag.X, pivot=pivot, limits=(0, tilt), friction=hold, damping=0.8, effort=40.0,
         velocity=4.0, needs=(press > 0.8 * _SLIDE).beyond(0.004),
@@ -453,7 +452,7 @@ def _crane(
     handle = ag.weld(
         ag.part(ball, "crank", _BLACK, name="crank", grasp=turned), ag.part(hub | rod, "crank", steel)
     )
-    weight = _G * (cup.mass() + carriage.mass())
+    weight = cup.weight() + carriage.weight()
     friction = (1.3 * weight + 55.0) * drop / turns + 0.1
     crank = ag.Revolute("crank_turn", axis=-ag.X, limits=(0, turns), friction=friction, feel=_CRANK)
     slide = ag.Prismatic(

@@ -255,7 +255,7 @@ def _desk(
 def _sprung(arm: ag.Body, pivot: ag.Vector, plan: ag.Region, lift: ag.Scalar) -> ag.Spring:
     """Make the spring that lifts an arm by its front."""
     reach = pivot.y - plan.y.low
-    hold = 9.81 * arm.mass() * (pivot.y - arm.center_of_mass().y) + 0.5 * lift * reach
+    hold = arm.weight() * (pivot.y - arm.center_of_mass().y) + 0.5 * lift * reach
     return ag.Spring(preload=hold, force=hold + 0.5 * lift * reach)
 
 

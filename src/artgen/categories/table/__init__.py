@@ -281,6 +281,6 @@ def _standing(
             key.suffixed(f"_{name}"),
             at=(width / 2 - 0.20 + place, -depth / 2 + 0.004, height - thick - 0.013),
         )
-    drag = feel.Feel(damping=400.0, friction=1.5 * top.mass() * 9.81, effort=1200.0, velocity=0.038)
+    drag = feel.Feel(damping=400.0, friction=1.5 * top.weight(), effort=1200.0, velocity=0.038)
     lift = ag.Prismatic("top_lift", axis=ag.Z, limits=(0, travel), feel=drag, driven="two motors")
     return base.attach(top, lift)

@@ -38,7 +38,6 @@ Style = Literal["oven", "fryer", "dual"]
 Look = Literal["stainless", "dark_steel", "white", "black", "pastel"]
 """Families of finishes."""
 
-_GRAVITY = 9.81
 _THICK = 0.017  # thickness of a door [m]
 _SEAL = 0.0025  # gap between a closed door and the case [m]
 _WALL = 0.016  # distance from the sides to the cavity [m]
@@ -359,7 +358,7 @@ def _door(
         grip.at(leaf.x.mid, leaf.y.low, leaf.z.high - 0.024),
     )
     arm = 0.55 * leaf.z.size
-    moment = _GRAVITY * door.mass() * arm
+    moment = door.weight() * arm
     at = (leaf.x.mid, leaf.y.high - 0.004, axle)
     drag = feel.Feel(friction=0.45 * moment, damping=0.3, effort=9.0, velocity=4.0)
     hinge = ag.Revolute(

@@ -151,7 +151,7 @@ def toilet(
     lid, ring = _lid(plan, leaf), _seat(plan, leaf)
     # a damper for the weight: both close in four to seven seconds, of wood as of heavier resin
     brakes = [
-        feel.soft_closing(_DAMPED, damping=1.3 * each.mass() * 9.81 * length) if slow else None
+        feel.soft_closing(_DAMPED, damping=1.3 * each.weight() * length) if slow else None
         for each in (lid, ring)
     ]
     lift = ag.Revolute("lid_hinge", axis=-ag.X, limits=(0, opened), feel=hinge, closing=brakes[0])

@@ -30,7 +30,6 @@ LOWER = 0.0003  # distance of a bucket's rim below that of the bin [m]
 UNDER = 0.0036  # distance from the floor's underside to the bucket: the floor and 0.6 mm [m]
 FREE = 0.0036  # gap between a bucket and the wall [m]
 STEEL = ag.material("steel")
-GRAVITY = 9.81  # [m/s2]
 _BUCKET = 0.0022  # thickness of the wall of a bucket [m]
 _BACK_CORNER = 0.022  # radius of the two corners of a half-round bin [m]
 _LEAST_CORNER = 0.003  # least radius of corners [m]
@@ -295,7 +294,7 @@ def with_bucket(
         bucket = _with_bail(bucket, can, needs)
     # friction at the wall: a lid that leans on the bucket must not hold it up; force of a hand that lifts
     # the bucket but cannot force the lid open
-    drag = feel.Feel(friction=0.15, damping=2.0, effort=1.1 * GRAVITY * bucket.mass() + 1.0)
+    drag = feel.Feel(friction=0.15, damping=2.0, effort=1.1 * bucket.weight() + 1.0)
     slide = ag.Prismatic("bucket_slide", axis=ag.Z, limits=(0.0, travel), feel=drag, needs=needs)
     return body.attach(bucket, slide)
 
@@ -327,7 +326,7 @@ def _with_bail(bucket: ag.Body, can: Can, needs: ag.Condition | None) -> ag.Body
     bail = ag.weld(ag.part(wire, "handle", STEEL), ag.part(grip, "handle", finish.BLACK, grasp=hold))
     inner, outer = x + _WIRE + 0.0005, half + 0.001
     eyes = pair(ag.cylinder(0.004, outer - inner, axis=ag.X), (inner + outer) / 2, z=z)
-    weight = GRAVITY * bail.mass() * -bail.center_of_mass().y
+    weight = bail.weight() * -bail.center_of_mass().y
     strikes = 0.9 * (GAP + LOWER) / -y  # just below the angle at which the bail strikes a part above the rim
     free = None if needs is None else needs.beyond(strikes)
     # the bail stays up, as its bent ends grip the eyes; the effort raises it but cannot force the lid open

@@ -10,7 +10,7 @@ from typing import Literal
 import artgen as ag
 from artgen import feel
 from artgen.categories.trashcan import finish
-from artgen.categories.trashcan.bins import GRAVITY, UNDER, Design, pair, stand, with_bucket
+from artgen.categories.trashcan.bins import UNDER, Design, pair, stand, with_bucket
 
 Turning = Literal["swing", "disc", "ball"]
 
@@ -104,7 +104,7 @@ class _Hood:
     def lift(self, body: ag.Body, travel: ag.Scalar) -> ag.Joint:
         """Make the joint of a hood, which is lifted off."""
         # friction of the skirt on the rim
-        drag = feel.Feel(friction=1.0, damping=4.0, effort=1.4 * GRAVITY * body.mass() + 3.0)
+        drag = feel.Feel(friction=1.0, damping=4.0, effort=1.4 * body.weight() + 3.0)
         return ag.Prismatic(f"{self.label}_lift", axis=ag.Z, limits=(0.0, travel), feel=drag)
 
     def lid(self, material: ag.Material) -> ag.Body:
@@ -152,7 +152,7 @@ def hooded_bin(design: Design, kind: Turning) -> ag.Body:
     hood = _Hood(design, kind, design.lid)
     density, stiffness, damping, friction = _LIDS[kind]
     lid = hood.lid(finish.lid_of(design.lid, density))
-    holds = 1.5 * GRAVITY * lid.mass() * 0.45 * hood.across / 2 if kind == "ball" else friction
+    holds = 1.5 * lid.weight() * 0.45 * hood.across / 2 if kind == "ball" else friction
     drag = feel.Feel(friction=holds, damping=damping, armature=0.0003, effort=6.0)
     turn = ag.Revolute("lid_hinge", axis=ag.X, limits=(-opening, opening), stiffness=stiffness, feel=drag)
     top = hood.body().attach(lid, turn, at=(0, 0, hood.axis))

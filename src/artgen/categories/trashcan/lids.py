@@ -15,7 +15,6 @@ from artgen.categories.trashcan import finish
 from artgen.categories.trashcan.bins import (
     FREE,
     GAP,
-    GRAVITY,
     LOWER,
     STEEL,
     UNDER,
@@ -256,7 +255,7 @@ def touch_bin(design: Design) -> ag.Body:
     tongue = ag.part([blade.box(bevel=0.0008), inward], "lid", design.plastic)
     lid = ag.weld(hinge.lid(), tongue)
     # an opening spring, a third stronger than the weight of the lid and the friction
-    weight = GRAVITY * lid.mass() * (hinge.y - lid.center_of_mass().y)
+    weight = lid.weight() * (hinge.y - lid.center_of_mass().y)
     # the foot passes the pressed bar after it has risen by the heights of both, with 3 mm to spare
     passed = (_THIN + 0.004 + 0.004) / (0.85 * can.depth)
     turn = hinge.turn(

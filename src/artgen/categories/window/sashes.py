@@ -21,7 +21,6 @@ PANE = 0.012
 """Modeled thickness of insulating glass, with the mass of its panes [m]."""
 
 _LIP = 0.0075  # overlap of the lip of a sash with the frame around it [m]
-_GRAVITY = 9.81  # gravity [m/s^2]
 _HOLDS = 1.15  # ratio of the friction of a stay to the load of a sash
 _LIFTS = 52.0  # largest force of a hand that lifts an awning [N]
 _HINGED = 0.288  # least side length of a sash with two hinges [m]
@@ -201,7 +200,7 @@ def _hung(
 
 def _falling(sash: ag.Body, swing: Swing, width: ag.Scalar, pin: ag.Scalar) -> tuple[ag.Scalar, ag.Scalar]:
     """Return limit and friction of a horizontal hinge: a friction stay holds the sash, or it falls shut."""
-    load = _GRAVITY * sash.mass() * (sash.center_of_mass().x - pin)
+    load = sash.weight() * (sash.center_of_mass().x - pin)
     holds = swing.stay == "friction"
     # a hand at the lever lifts the weight against the friction of the stay
     sine = ag.min_(_LIFTS * (width - 0.05) / (load * (1 + _HOLDS if holds else 1)), 0.97)
@@ -274,7 +273,7 @@ def _passing(
         (inside, names[0], 1, way - _LOCK),
         (outside, names[1], -1, way - face - _HAND),
     ):
-        rest = up * _GRAVITY * sash.mass() / _BALANCE + travel / 2  # balance at half the travel
+        rest = up * sash.weight() / _BALANCE + travel / 2  # balance at half the travel
         slide = ag.Prismatic(
             f"pane_slide_{name}",
             axis=(0.0, 0.0, up),
