@@ -1,6 +1,7 @@
 """Surfaces joined of several meshes: which corners are one vertex, and in which order all comes."""
 
 from collections import defaultdict
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -8,7 +9,9 @@ import pytest
 import artgen
 from artgen.asset import surface as module
 from artgen.asset.shape import Mesh
-from artgen.asset.surface import joined
+from artgen.asset.surface import as_written, joined
+
+PLAIN = artgen.material("abs")
 
 
 def square(x: float, y: float) -> Mesh:
@@ -83,3 +86,15 @@ def test_the_order_of_triangles_does_not_depend_on_how_it_is_found(monkeypatch) 
     assert all(first < min(second, third) for first, second, third in corners)
     monkeypatch.setattr(module, "_MOST_PACKED", 1)
     assert np.array_equal(joined(meshes).triangles, packed.triangles)
+
+
+@pytest.mark.parametrize("noise", [-1e-16, 0.0, 1e-16])
+def test_the_order_of_vertices_is_that_in_the_frame_of_the_link(noise) -> None:
+    # places a rounding step apart, which lie in the middle of two steps in asset coordinates
+    origin = np.array([0.0, -0.02690625 + noise, 0.0])
+    sheets = [square(0.0, 1e-7 * number - 0.0088642) for number in range(4)]
+    turned = [each.normals - [0.1 * number, 0.0, 0.0] for number, each in enumerate(sheets)]
+    whole = joined([replace(each, normals=up) for each, up in zip(sheets, turned, strict=True)])
+    written = as_written(replace(whole, vertices=whole.vertices + origin), origin, PLAIN)
+    assert np.allclose(written.vertices - origin, whole.vertices, rtol=0.0, atol=1e-12)
+    assert np.array_equal(written.triangles, whole.triangles)

@@ -10,9 +10,8 @@ import pytest
 from artgen.asset import Asset
 from artgen.catalog import find
 from artgen.errors import InfeasibleError, ParameterError
+from artgen.feel import GRAVITY
 from artgen.validate.colliders import check_colliders
-
-GRAVITY = 9.81
 
 
 @lru_cache(maxsize=16)

@@ -10,7 +10,8 @@ import pytest
 from artgen import InfeasibleError, sqrt
 from artgen.asset import Asset
 from artgen.categories.lamp import Style, lamp
-from artgen.categories.lamp.arms import GRAVITY, Load
+from artgen.categories.lamp.arms import Load
+from artgen.feel import GRAVITY
 from artgen.graph import Cache, Graph
 
 STYLES: tuple[str, ...] = get_args(Style)

@@ -11,8 +11,7 @@ import pytest
 from artgen.asset import Asset
 from artgen.catalog import find
 from artgen.errors import InfeasibleError
-
-GRAVITY = 9.81
+from artgen.feel import GRAVITY
 
 
 @lru_cache(maxsize=16)

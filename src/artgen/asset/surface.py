@@ -288,11 +288,13 @@ def _fanned(corners: Corners, count: int) -> tuple[Corners, list[int]]:
 
 def as_written(mesh: Mesh, origin: Array, material: Material) -> Mesh:
     """Return a mesh rounded in the frame at `origin` [m], in the order of its file."""
-    mesh = rounded_mesh(mesh, origin, material)
+    # also sorted there: from elsewhere, all vertices may lie in the middle of two rounding steps
+    mesh = rounded_mesh(replace(mesh, vertices=mesh.vertices - origin), np.zeros(3), material)
     if not _stays_joined(mesh):
         mesh = joined([mesh])  # which may move texture coordinates
         mesh = replace(mesh, uvs=_rounded_uvs(mesh, material))
-    return _in_order(mesh, origin, material)
+    mesh = _in_order(mesh, material)
+    return replace(mesh, vertices=mesh.vertices + origin)
 
 
 def _stays_joined(mesh: Mesh) -> bool:
@@ -310,7 +312,7 @@ def _stays_joined(mesh: Mesh) -> bool:
     return bool(((a != b) & (b != c) & (c != a)).all() and not needles(quantised[:3], corners).any())
 
 
-def _in_order(mesh: Mesh, origin: Array, material: Material) -> Mesh:
+def _in_order(mesh: Mesh, material: Material) -> Mesh:
     """Return a mesh with its vertices in the order of a mesh file."""
     # `joined` sorts by metric texture coordinates; on turned maps the written ones have another order
     if not (material.texture and material.turned):
@@ -325,7 +327,7 @@ def _in_order(mesh: Mesh, origin: Array, material: Material) -> Mesh:
     columns = (
         (coordinates, UV_DECIMALS),
         (mesh.normals, NORMAL_DECIMALS),
-        (mesh.vertices - origin, POSITION_DECIMALS),  # lexsort: the last keys decide first
+        (mesh.vertices, POSITION_DECIMALS),  # lexsort: the last keys decide first
     )
     keys = [np.rint(each[:, ::-1].T * 10.0**decimals) for each, decimals in columns]
     order = np.lexsort(np.concatenate(keys))

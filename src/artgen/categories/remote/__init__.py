@@ -43,6 +43,7 @@ _FINGER = 0.0092  # from the middle of a key to the next one [m]
 _OK = 0.0062  # radius of the key in a ring [m]
 _WELL = 0.0032  # depth of the keys below the face [m]
 _END = 0.016  # length of the end of a battery cover [m]
+_PRINT = 0.0001  # height of the print [m]
 _UNDER = 0.0016  # thickness of the plate of a battery cover [m]
 _STEP = 0.0048  # from the face of an air conditioner's remote down to its lower keys [m]
 _TRAVEL = 0.046  # of the cover over these keys [m]
@@ -277,7 +278,7 @@ def remote(
         )
     else:
         body = ag.weld(body, _named(maker, (0, lower - 0.55 * (tail - _END), thick), finish, 0.0034))
-    return body.at(y=-room.y.mid)
+    return body.at(y=-room.y.mid, z=_PRINT)  # it lies on its print
 
 
 def _tv_rows(rows: _Rows, extra: int, *, digits: bool) -> None:
@@ -349,7 +350,7 @@ def _case(plan: _Plan, room: ag.Region, corner: ag.Scalar, hold: ag.Scalar, *, f
     words = (plan.maker.upper(), "2 x AAA 1.5 V", "MADE FOR INFRARED")
     lines, ink = details.lettering(words, 0.0018, fineness="coarse"), controls.ink_on(plan.finish)
     at = (0, 0.4 * room.y.low, 0)
-    back = details.printed(lines, at, material=ink, facing=-ag.Z, proud=0.0001, label="rating_plate")
+    back = details.printed(lines, at, material=ink, facing=-ag.Z, proud=_PRINT, label="rating_plate")
     body = ag.weld(
         ag.part(solid, "body", casting(plan.finish, 0.42), name="body"),
         ag.part(pair, "battery", _CELL, separate="held by springs"),
