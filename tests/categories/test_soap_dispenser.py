@@ -97,7 +97,9 @@ def test_what_hangs_on_a_wall_comes_with_its_tile() -> None:
     assert lever.stiffness * (0.0 - lever.rest) > 2.0 * lever.friction, "its spring does not bring it back"
 
 
-@pytest.mark.parametrize(("shape", "width"), [("round", 0.058), ("apothecary", 0.087), ("cone", 0.095)])
+@pytest.mark.parametrize(
+    ("shape", "width"), [("round", 0.058), ("apothecary", 0.087), ("bell", 0.087), ("cone", 0.095)]
+)
 @pytest.mark.long
 def test_colliders_follow_the_glass_of_narrow_and_wide_bottles(shape: str, width: float) -> None:
     asset = drawn(3, style="bottle", shape=shape, build="clear", width=width, height=0.13, fill=0.45)

@@ -79,9 +79,9 @@ _SHOULDER = ((1, 0.74), (0.98, 0.82), (0.92, 0.89), (0.80, 0.945), (0.62, 0.985)
 # colliders
 _BLOWN: dict[str, tuple[vessels.Drawn, float]] = {
     "round": ((1, 1, -0.14), 0.0040),
-    "apothecary": ((1, 1, -0.60), 0.0095),
+    "apothecary": ((1, 1, -0.60), 0.0085),
     "cone": ((0.56, 1, -0.16), 0.0040),
-    "bell": ((0.84, 1, -0.42), 0.0090),
+    "bell": ((0.84, 1, -0.42), 0.0065),
 }
 _NECK = 0.0150  # radius of the upper end of a shoulder, below the collar of a pump [m]
 _EDGE = 0.0035  # chamfer of the foot of a blown bottle [m]
