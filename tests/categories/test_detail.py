@@ -26,6 +26,9 @@ MOST = 2800
 
 LARGE = {"dishwasher", "refrigerator"}
 
+SLENDER = {"pen"}
+"""Categories of round parts 8 to 15 mm thick, whose 8 facets take up to 13 % of their mass; others lose 5 %."""
+
 
 def triangles(asset: Asset) -> int:
     return sum(len(surface.mesh.triangles) for link in asset.links for surface in link.surfaces)
@@ -47,7 +50,7 @@ def test_low_detail_changes_the_solids_alone(category: str) -> None:
             assert held.name == wanted.name
             assert np.array_equal(held.frame, wanted.frame)
             assert getattr(held, "width", 0.0) == pytest.approx(getattr(wanted, "width", 0.0), abs=0.003)
-    assert low.mass == pytest.approx(full.mass, rel=0.05)
+    assert low.mass == pytest.approx(full.mass, rel=0.14 if category in SLENDER else 0.05)
 
 
 @ag.generator
