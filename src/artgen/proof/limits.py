@@ -251,6 +251,7 @@ def _narrowed(asset: Asset, limits: Mapping[str, tuple[float, float]]) -> Asset:
     return replace(asset, joints=ByName(with_followed_limits(joint, joints) for joint in joints.values()))
 
 
+_SMALL = 0.05  # share of its range in which a joint that is held open is locked
 _MOST = 0.8  # share of its range at which a joint gives way to its dependency in any case
 
 
@@ -293,11 +294,21 @@ def with_limits(asset: Asset, limits: Limits, keep: str | Iterable[str] = ()) ->
     for joint in asset.joints:
         if joint.needs is not None:
             _resolve(asset, joint, joint.needs, kept, ranges)
+    ranges = {name: _locked_open(asset.joint(name), left) for name, left in ranges.items()}
     free = ByName(replace(joint, needs=None) for joint in asset.joints)
     narrowed = replace(_narrowed(replace(asset, joints=free), ranges), limits=limits)
     if asset.certificate is not None:
         remember(narrowed, certify(narrowed, asset.certificate.tolerance))
     return narrowed
+
+
+def _locked_open(joint: AssetJoint, left: Range) -> Range:
+    """Return a range, or the open end of a small one without the closed position: a spring presses there."""
+    low, high = joint.limits or (-np.inf, np.inf)
+    if left[0] <= joint.closed <= left[1] or not 0.0 < left[1] - left[0] < _SMALL * (high - low) < np.inf:
+        return left
+    end = max(left, key=lambda end: abs(end - joint.closed))
+    return end, end
 
 
 def _resolve(
