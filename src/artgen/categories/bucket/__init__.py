@@ -249,7 +249,7 @@ def _staved(plan: _Plan, hoops: int) -> ag.Body:
     def stave(top: ag.Scalar) -> ag.Solid:
         """Make the stave at +x between the floor and a height."""
         ends = []
-        for level in (0.0, top):
+        for level in (0.0002, top - 0.0002):  # half the height of a plate from the ends
             out, inside = plan.at(level), plan.at(level) - wall
             right = [(r * math.cos(half), r * math.sin(half)) for r in (inside, out)]
             outline = ag.polygon([*((x, -y) for x, y in right), (out, 0), *reversed(right)])
