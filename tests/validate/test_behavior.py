@@ -172,7 +172,24 @@ def test_a_base_that_stands_is_no_fault_and_one_that_tips_is():
     assert fault.unit == "rad"
     assert fault.value > 0.5
     assert "tips over: after" in fault.message
-    assert fault.hint == "give it a wider or heavier base, or fix it to the world with base='fixed'"
+
+
+def test_a_base_that_tips_over_when_it_is_open_is_a_note():
+    tower = part(box(0.1, 0.1, 0.2).at(0, 0, 0.1), "tower", OAK)
+    block = part(box(0.1, 0.1, 0.1).at(0, 0, 0.2505), "block", STEEL)
+    result = checked(tower.attach(block, slide(friction=60.0)), base="free")
+    assert [(each.link, each.severity) for each in result.findings] == [("tower", "note")]
+    assert "tips over: after" in result.findings[0].message
+    assert result.findings[0].pose["slide"] > 0.05
+
+
+def test_a_free_base_does_not_stand_while_a_part_is_folded_below_it():
+    case = part(box(0.3, 0.3, 0.04).at(0, 0, 0.02), "case", OAK)
+    foot = part(box(0.05, 0.1, 0.01).at(0.2, 0, 0.02), "foot", OAK)
+    turn = Revolute("turn", axis=X, pivot=(0.2, 0.05, 0.02), limits=(0, 1.5), friction=1.0)
+    result = checked(case.attach(foot, turn), base="free")
+    assert not result.findings
+    assert result.detail.startswith("released in 3 poses")
 
 
 # settling

@@ -354,6 +354,11 @@ class Simulation:
         self.findings: dict[tuple[str, str], Finding] = {}
         self._start: dict[str, float] = {}
 
+    def sinks(self) -> bool:
+        """Tell whether a part is in the floor, as deep as no contact may be."""
+        deep = np.flatnonzero(np.asarray(self.data.contact.dist) < -DEPTH).tolist() if self.data.ncon else []
+        return any(link == _FLOOR for number in deep for link, _ in self.contact(number))
+
     def begin(self, q: Mapping[str, float], doing: str, *, jammed: bool = False) -> None:
         """Set all joints to rest at positions of free joints; joints without a position are closed.
 

@@ -38,7 +38,11 @@ _TILT = math.radians(2.0)  # drift of a base on the floor [m]
 
 
 def settle(simulation: Simulation, *, stands: bool = False) -> "Settled":
-    """Release an asset when it is closed, halfway open and open; `stands` if its base is free on a floor."""
+    """Release an asset when it is closed, halfway open and open; `stands` if its base is free on a floor.
+
+    A base that tips over is a fault if the asset is closed, and a note if it is open, like a chest with all
+    drawers drawn out.
+    """
     result = Settled(simulation, stands)
     for q in start_poses(simulation.asset, simulation.motions):
         if q not in result.poses:
@@ -121,12 +125,16 @@ class Settled:
     movers: set[str] = field(default_factory=set)  # joints that gravity or a spring moves
     poses: list[dict[str, float]] = field(default_factory=list)  # poses of the release, the present one last
     deep: dict[Pieces, float] = field(default_factory=dict)  # time since contacts are too deep [s]
+    tipped: bool = False  # whether the base leans in the present pose
 
     def watch(self, q: dict[str, float]) -> None:
         """Release the asset at a pose, and step until everything is at rest or the time is over."""
         simulation = self.simulation
         simulation.begin(q, "it settles")
-        self.deep = {}
+        opened = len(self.poses) > 1
+        if self.stands and opened and simulation.sinks():
+            return  # folded like this, it does not stand on its base
+        self.deep, self.tipped = {}, False
         drifts = [self._drift(motion) for motion in simulation.motions.values()]
         places = np.array([drift.motion.at for drift in drifts], int)
         starts = np.array([drift.start for drift in drifts])
@@ -136,14 +144,14 @@ class Settled:
             simulation.step()
             self._report_contacts()
             if self.stands:
-                self._report_tilt()
+                self._report_tilt("note" if opened else "fault")
             self._follow_drifts(drifts, (simulation.data.qpos[places] - starts).tolist())
             speeds = simulation.data.qvel
             still = np.abs(speeds).max(initial=0.0) < REST_SPEED
             quiet = quiet + simulation.step_time if still else 0.0
             if quiet >= REST_TIME:
                 break
-        for drift in drifts:
+        for drift in () if self.tipped else drifts:  # joints of a base that falls move with it
             if drift.since is not None:
                 self._report_drift(drift)
             elif abs(drift.furthest) > _DRIFTS[drift.motion.joint.kind]:
@@ -251,15 +259,16 @@ class Settled:
         )
         return max(depths, default=0.0)
 
-    def _report_tilt(self) -> None:
+    def _report_tilt(self, severity: Severity) -> None:
         simulation = self.simulation
         base = simulation.asset.links[0].name
         upright = float(simulation.data.body(base).xmat[8])
         if upright >= math.cos(_TILT):
             return
+        self.tipped = True
         tilt = math.acos(max(-1.0, min(1.0, upright)))
         degrees = f"{math.degrees(tilt):.3g} degrees"
         message = f"tips over: after {simulation.data.time:.2g} s it leans by {degrees}"
         hint = "give it a wider or heavier base, or fix it to the world with base='fixed'"
-        finding = Finding(CHECK, message, base, "", tilt, "rad", self.poses[-1], hint)
-        self._add(finding, "tilt")
+        finding = Finding(CHECK, message, base, "", tilt, "rad", self.poses[-1], hint, severity)
+        self._add(finding, "tilt", severity)
