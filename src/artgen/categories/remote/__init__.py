@@ -46,6 +46,7 @@ _END = 0.016  # length of the end of a battery cover [m]
 _PRINT = 0.0001  # height of the print [m]
 _UNDER = 0.0016  # thickness of the plate of a battery cover [m]
 _STEP = 0.0048  # from the face of an air conditioner's remote down to its lower keys [m]
+_SILL = 0.0016  # thickness of the wall between the keys on the face and that step [m]
 _TRAVEL = 0.046  # of the cover over these keys [m]
 _DIGITS: tuple[Row, ...] = (("1", "2", "3"), ("4", "5", "6"), ("7", "8", "9"), ("LIST", "0", "return"))
 _VOLUME: tuple[Row, ...] = (("plus", "mute", "chevron_up"), ("minus", "info", "chevron_down"))
@@ -268,7 +269,8 @@ def remote(
     well = ag.Region((0, 0), (lower, -head + 0.0015), (thick - _WELL, thick)).grow(x=width / 2 - 0.0020)
     body = keypads.Pad(well, stroke, look).install(body, rows.caps)
     if style == "air":
-        body = _lower_keys(body, plan, room.with_(y=(room.y.low, lower)), extra, corner, hold, len(rows.caps))
+        step = room.with_(y=(room.y.low, lower - _SILL))
+        body = _lower_keys(body, plan, step, extra, corner, hold, len(rows.caps))
         pane = (width - 0.014, 0.032)
         at = (0, -0.029, thick)
         body = ag.weld(
