@@ -10,6 +10,7 @@ from artgen._arrays import Array
 from artgen.asset import Asset, AssetCondition
 from artgen.asset.affordance import GRIPPER, Affordance
 from artgen.asset.report import CheckResult, Finding
+from artgen.validate.colliders import FACETS
 from artgen.validate.hands.motion import (
     MOST_FORCE,
     HandSpace,
@@ -207,10 +208,10 @@ def _width_faults(grasp: Affordance, low: float, high: float) -> Iterator[Findin
 
 def _contact_faults(space: HandSpace, grasp: Affordance, low: float, high: float) -> Iterator[Finding]:
     """Yield the faults of the contact of the pads."""
-    patches = []
+    patches, gives = [], _PAD_GIVES + FACETS[space.asset.detail] - FACETS["full"]
     for side, at in ((1.0, high), (-1.0, low)):
         corners = GRIPPER.between(0.0)
-        corners[:, 0] = sorted((at - side * _PAD_GIVES, at + side * _PAD_GIVES))
+        corners[:, 0] = sorted((at - side * gives, at + side * gives))
         points = space.inside(corners, grasp.frame, grasp.link)[:, 1:]
         patch = np.array([points.min(axis=0), points.max(axis=0)])
         along = float(patch[1, 1]) - max(float(patch[0, 1]), -GRIPPER.pad / 2.0)
