@@ -245,7 +245,9 @@ def test_independent_limits_leave_no_dependency():
 def test_a_joint_that_stays_pressed_in_a_small_range_is_locked_at_its_end(needed, left):
     press = Prismatic("press", axis=Y, limits=(0, 0.004), stiffness=500.0, rest=-0.002)
     turn = Revolute("turn", axis=Y, limits=(0, 3), needs=(press > needed).beyond(0.05))
-    asset = Asset.from_tree(evaluate(block("case").attach(block("dial").at(2), press, turn)).value, "knob", "")
+    asset = Asset.from_tree(
+        evaluate(block("case").attach(block("dial").at(2), press, turn)).value, "knob", ""
+    )
     narrowed = asset.with_limits("independent", keep=["turn"])
     assert limits(narrowed)["turn"] == (0.0, 3.0)
     assert limits(narrowed)["press"] == pytest.approx(left, abs=2e-6)

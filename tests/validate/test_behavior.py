@@ -183,6 +183,22 @@ def test_a_base_that_tips_over_when_it_is_open_is_a_note():
     assert result.findings[0].pose["slide"] > 0.05
 
 
+def test_wheels_of_a_free_base_may_roll_on_the_floor():
+    cart = part(box(0.4, 0.3, 0.02).at(0, 0, 0.09), "cart", OAK)
+    weight = part(box(0.1, 0.1, 0.05).at(0, 0, 0.126), "weight", STEEL)
+    pull = Prismatic("pull", axis=X, limits=(-0.1, 0.1), stiffness=60.0, rest=0.0, damping=8.0)
+    cart = cart.attach(weight, pull)
+    for number, (x, y) in enumerate([(-0.15, -0.1), (-0.15, 0.1), (0.15, -0.1), (0.15, 0.1)]):
+        roll = Revolute(f"roll_{number}", axis=Y, pivot=(x, y, 0.035), limits=None, friction=0.001)
+        wheel = part(cylinder(0.035, 0.02, axis=Y).at(x, y, 0.035), "wheel", ABS, name=f"wheel_{number}")
+        cart = cart.attach(wheel, roll)
+    result = checked(cart, base="free")
+    assert {each.severity for each in result.findings} == {"note"}
+    rolled = [each.message for each in result.findings if each.joint.startswith("roll_")]
+    assert len(rolled) == 4
+    assert all(re.match(r"moves by -?\S+ degrees on the floor, as the base does", each) for each in rolled)
+
+
 def test_a_free_base_does_not_stand_while_a_part_is_folded_below_it():
     case = part(box(0.3, 0.3, 0.04).at(0, 0, 0.02), "case", OAK)
     foot = part(box(0.05, 0.1, 0.01).at(0.2, 0, 0.02), "foot", OAK)

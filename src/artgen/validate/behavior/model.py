@@ -181,7 +181,7 @@ _BLOW = 5.0  # factor of the tolerance during impacts
 DEPTH = 0.0005
 """Depth of contacts beyond what the asset allows [m]."""
 
-_FLOOR = "the floor"
+FLOOR = "the floor"
 _TRAVEL = 1.0  # examined length of a slide without limits [m]
 
 
@@ -357,7 +357,7 @@ class Simulation:
     def sinks(self) -> bool:
         """Tell whether a part is in the floor, as deep as no contact may be."""
         deep = np.flatnonzero(np.asarray(self.data.contact.dist) < -DEPTH).tolist() if self.data.ncon else []
-        return any(link == _FLOOR for number in deep for link, _ in self.contact(number))
+        return any(link == FLOOR for number in deep for link, _ in self.contact(number))
 
     def begin(self, q: Mapping[str, float], doing: str, *, jammed: bool = False) -> None:
         """Set all joints to rest at positions of free joints; joints without a position are closed.
@@ -454,7 +454,7 @@ class Simulation:
     def _piece(self, geom: int) -> tuple[str, str]:
         body = int(self.model.geom_bodyid[geom])
         if body == 0:
-            return _FLOOR, ""
+            return FLOOR, ""
         return self.model.body(body).name, self._labels.get(self.model.geom(geom).name, "")
 
     def moving(self, motions: Iterable[JointMotion]) -> Mask:

@@ -12,6 +12,7 @@ from artgen.asset.report import Finding, Severity
 from artgen.validate.behavior.model import (
     CHECK,
     DEPTH,
+    FLOOR,
     JointMotion,
     Pieces,
     Simulation,
@@ -213,8 +214,11 @@ class Settled:
         joint = drift.motion.joint
         message = f"moves by {length(joint, drift.furthest)} without a cause: {drift.why}"
         hint = ""
-        severity: Severity = "note" if drift.pushed else "fault"
-        if drift.pushed:
+        rolls = self.stands and any(FLOOR in contact for contact in drift.touching)
+        severity: Severity = "note" if drift.pushed or rolls else "fault"
+        if rolls:
+            message = f"moves by {length(joint, drift.furthest)} on the floor, as the base does"
+        elif drift.pushed:
             message = (
                 f"is pushed by {length(joint, drift.furthest)} by what gravity or a spring moves: "
                 f"{drift.pushed[0]} touch"
