@@ -168,6 +168,14 @@ PRODUCTS: Mapping[str, tuple[Product, ...]] = {
         Product("range", (0.59, 0.77), (0.59, 0.66), (0.84, 0.97), (45.0, 90.0)),
     ),
     # cabinets of 0.55-0.92 x 0.60-0.80 x 0.80-1.83 m; handles stand out by up to 0.07 m, hinge caps by 0.03 m
+    # handles at the sides stand out by 0.02 m, dials and levers at the front by 0.03 m
+    "rice_cooker": (
+        Product("cooker with a hinged lid", (0.260, 0.30), (0.30, 0.39), (0.185, 0.24), (2.9, 4.7)),
+        Product("upright cooker", (0.255, 0.295), (0.30, 0.37), (0.24, 0.31), (3.9, 7.0)),
+        Product("cooker with a lever", (0.22, 0.33), (0.21, 0.32), (0.19, 0.30), (1.2, 3.2)),
+        Product("pressure cooker", (0.32, 0.38), (0.30, 0.36), (0.29, 0.36), (4.8, 7.2)),
+        Product("slow cooker", (0.37, 0.46), (0.26, 0.34), (0.20, 0.28), (3.6, 7.0)),
+    ),
     "refrigerator": (
         Product("refrigerator", (0.54, 0.93), (0.58, 0.88), (1.20, 1.87), (50.0, 130.0)),
         Product("refrigerator under a counter", (0.54, 0.71), (0.58, 0.88), (0.79, 1.20), (25.0, 60.0)),
