@@ -279,6 +279,16 @@ CHECKLIST: dict[str, dict[str, Moving]] = {
         "panel that tilts": turns("panel_tilt", (0, 1)),
         "key": slides("button_slide", range(2, 7)),
     },
+    "range_hood": {
+        "filter": turns("filter_hinge", (0, 2, 3)),
+        "catch of a filter": slides("catch_slide", (0, 2, 3)),
+        "visor": slides("visor_slide", (0, 1)),
+        "flap": turns("flap_hinge", (0, 1)),
+        "inclined pane": turns("panel_hinge", (0, 1)),
+        "key": slides("button_slide", (0, 1, 4, 5)),
+        "slider": slides("slider_slide", (0, 2)),
+        "dial": turns("dial_turn", (0, 1)),
+    },
     "refrigerator": {
         "door": turns(f"door_hinge{SIDED}", (1, 2)),
         "freezer door": turns("freezer_door_hinge", (0, 1)),

@@ -45,7 +45,7 @@ _SYNSETS: Mapping[str, str] = {
     "laptop": "laptop.n.01", "lighter": "lighter.n.02", "microwave": "microwave.n.02",
     "mouse": "mouse.n.04", "oven": "oven.n.01", "pen": "pen.n.01", "pepper_grinder": "pepper_mill.n.01",
     "phone": "telephone.n.01", "plier": "pliers.n.01", "pot": "pot.n.01", "printer": "printer.n.03",
-    "refrigerator": "refrigerator.n.01", "remote": "remote_control.n.01",
+    "range_hood": "range_hood.n.01", "refrigerator": "refrigerator.n.01", "remote": "remote_control.n.01",
     "rice_cooker": "cooker.n.01", "safe": "safe.n.01",
     "scissors": "scissors.n.01", "sink": "sink.n.01", "soap_dispenser": "soap_dispenser.n.01",
     "stand_mixer": "electric_mixer.n.01", "stapler": "stapler.n.01", "suitcase": "bag.n.06",
