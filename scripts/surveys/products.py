@@ -168,6 +168,22 @@ PRODUCTS: Mapping[str, tuple[Product, ...]] = {
         Product("range", (0.59, 0.77), (0.59, 0.66), (0.84, 0.97), (45.0, 90.0)),
     ),
     # cabinets of 0.55-0.92 x 0.60-0.80 x 0.80-1.83 m; handles stand out by up to 0.07 m, hinge caps by 0.03 m
+    # without the hood's duct above a cabinet; catches hang down by 0.022 m
+    "range_hood": (
+        Product("hood with a chimney", (0.59, 0.91), (0.45, 0.54), (0.70, 1.12), (9.5, 23.0)),
+        Product("hood below a cabinet", (0.59, 0.61), (0.46, 0.54), (0.16, 0.23), (4.5, 9.5)),
+        Product("telescopic hood", (0.59, 0.61), (0.27, 0.32), (0.34, 0.42), (7.0, 11.0)),
+        Product("inclined hood", (0.58, 0.90), (0.35, 0.46), (0.78, 1.12), (12.0, 27.0)),
+        Product("hood over an island", (0.89, 1.01), (0.59, 0.71), (0.70, 1.12), (18.0, 36.0)),
+    ),
+    # handles at the sides stand out by 0.02 m, dials and levers at the front by 0.03 m
+    "rice_cooker": (
+        Product("cooker with a hinged lid", (0.260, 0.30), (0.30, 0.39), (0.185, 0.24), (2.9, 4.7)),
+        Product("upright cooker", (0.255, 0.295), (0.30, 0.37), (0.24, 0.31), (3.9, 7.0)),
+        Product("cooker with a lever", (0.22, 0.33), (0.21, 0.32), (0.19, 0.30), (1.2, 3.2)),
+        Product("pressure cooker", (0.32, 0.38), (0.30, 0.36), (0.29, 0.36), (4.8, 7.2)),
+        Product("slow cooker", (0.37, 0.46), (0.26, 0.34), (0.20, 0.28), (3.6, 7.0)),
+    ),
     "refrigerator": (
         Product("refrigerator", (0.54, 0.93), (0.58, 0.88), (1.20, 1.87), (50.0, 130.0)),
         Product("refrigerator under a counter", (0.54, 0.71), (0.58, 0.88), (0.79, 1.20), (25.0, 60.0)),
