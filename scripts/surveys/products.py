@@ -311,6 +311,13 @@ PRODUCTS: Mapping[str, tuple[Product, ...]] = {
         Product("fire safe", (0.41, 0.46), (0.43, 0.54), (0.42, 0.62), (26.0, 80.0)),
         Product("gun cabinet", (0.30, 0.45), (0.30, 0.46), (1.30, 1.50), (45.0, 110.0)),
     ),
+    # handles stand out by up to 0.07 m
+    "shower": (
+        Product("shower door in a niche", (0.74, 1.32), (0.72, 0.96), (1.88, 2.10), (32.0, 100.0)),
+        Product("sliding shower door", (1.08, 1.62), (0.72, 0.98), (1.88, 2.08), (50.0, 125.0)),
+        Product("corner or quarter circle", (0.78, 1.02), (0.78, 1.02), (1.88, 2.08), (48.0, 115.0)),
+        Product("screen on a bath", (1.58, 1.82), (0.68, 0.83), (1.88, 2.08), (44.0, 66.0)),
+    ),
     # 0.125-0.26 m long with bows of 0.06-0.09 m; forged tailor's shears weigh up to 0.4 kg
     "scissors": (
         Product("scissors", (0.055, 0.095), (0.122, 0.262), (0.008, 0.015), (0.02, 0.40)),

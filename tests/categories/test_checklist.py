@@ -327,6 +327,12 @@ CHECKLIST: dict[str, dict[str, Moving]] = {
         "arm of tongs": turns("arm_hinge", (0, 1)),
         "ring of tongs": slides("ring_slide", (0, 1)),
     },
+    "shower": {
+        "hinged door": turns("door_hinge", (0, 1)),
+        "second leaf": turns("fold_hinge", (0, 1)),
+        "sliding door": slides("door_slide", (0, 1, 2)),
+        "curved door": turns("door_roll", (0, 2)),
+    },
     "sink": {
         "spout": turns("spout_swivel", (1,)),
         "handle": turns(f"handle_turn{SIDED}", (1, 2)),
