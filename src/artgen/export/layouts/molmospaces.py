@@ -37,7 +37,8 @@ _TURN = np.array([[0.0, 1.0, 0.0, 0.0], [-1.0, 0.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0
 _SYNSETS: Mapping[str, str] = {
     "blender": "blender.n.01", "bottle": "bottle.n.01", "box": "carton.n.02", "bucket": "bucket.n.01",
     "cabinet": "cabinet.n.01", "camera": "camera.n.01", "cart": "handcart.n.01", "chair": "chair.n.01",
-    "clock": "clock.n.01", "coffee_machine": "coffee_maker.n.01", "cooktop": "stove.n.01",
+    "clock": "clock.n.01", "clothespin": "clothespin.n.01", "coffee_machine": "coffee_maker.n.01",
+    "cooktop": "stove.n.01",
     "dishwasher": "dishwasher.n.01", "display": "display.n.06", "door": "door.n.01",
     "drawer": "drawer.n.01", "eyeglasses": "spectacles.n.01", "fan": "electric_fan.n.01",
     "faucet": "faucet.n.01", "globe": "globe.n.03", "handle": "handle.n.01", "kettle": "kettle.n.01",
