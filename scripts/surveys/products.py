@@ -62,6 +62,15 @@ PRODUCTS: Mapping[str, tuple[Product, ...]] = {
         Product("wall cabinet", (0.29, 1.01), (0.29, 0.44), (0.59, 0.93), (7.0, 50.0)),
         Product("tall cabinet", (0.29, 1.11), (0.37, 0.64), (1.59, 2.11), (22.0, 130.0)),
     ),
+    # closed; wire arms lie back
+    "clothespin": (
+        Product("clothespin", (0.064, 0.092), (0.008, 0.016), (0.014, 0.028), (0.003, 0.013)),
+        Product("bag clip", (0.056, 0.060), (0.059, 0.112), (0.017, 0.021), (0.018, 0.045)),
+        Product("binder clip", (0.023, 0.070), (0.018, 0.052), (0.014, 0.048), (0.0015, 0.050)),
+        Product("bulldog clip", (0.042, 0.070), (0.037, 0.077), (0.028, 0.050), (0.015, 0.095)),
+        Product("hair claw", (0.038, 0.056), (0.058, 0.107), (0.056, 0.086), (0.012, 0.060)),
+        Product("spring clamp", (0.095, 0.175), (0.015, 0.032), (0.055, 0.098), (0.02, 0.10)),
+    ),
     # roses of 0.05-0.08 m and levers of 0.10-0.16 m on a sample board of a shop
     "handle": (Product("handle on a stand", (0.15, 0.40), (0.10, 0.30), (0.20, 0.60), (1.5, 9.0)),),
     # plates of 0.56-0.92 x 0.50-0.56 m; dials and grates stand up to 0.05 m above them; a frame adds 0.02 m
@@ -326,6 +335,13 @@ PRODUCTS: Mapping[str, tuple[Product, ...]] = {
         Product("home safe", (0.31, 0.38), (0.24, 0.36), (0.23, 0.30), (8.0, 20.0)),
         Product("fire safe", (0.41, 0.46), (0.43, 0.54), (0.42, 0.62), (26.0, 80.0)),
         Product("gun cabinet", (0.30, 0.45), (0.30, 0.46), (1.30, 1.50), (45.0, 110.0)),
+    ),
+    # handles stand out by up to 0.07 m
+    "shower": (
+        Product("shower door in a niche", (0.74, 1.32), (0.72, 0.96), (1.88, 2.10), (32.0, 100.0)),
+        Product("sliding shower door", (1.08, 1.62), (0.72, 0.98), (1.88, 2.08), (50.0, 125.0)),
+        Product("corner or quarter circle", (0.78, 1.02), (0.78, 1.02), (1.88, 2.08), (48.0, 115.0)),
+        Product("screen on a bath", (1.58, 1.82), (0.68, 0.83), (1.88, 2.08), (44.0, 66.0)),
     ),
     # 0.125-0.26 m long with bows of 0.06-0.09 m; forged tailor's shears weigh up to 0.4 kg
     "scissors": (

@@ -83,6 +83,11 @@ CHECKLIST: dict[str, dict[str, Moving]] = {
         "lid that lifts off": slides("lid_lift", (0, 1)),
     },
     "cabinet": {"door": turns(f"door_hinge{SIDED}", (1, 2))},
+    "clothespin": {
+        "jaw": turns("jaw_hinge", (1,)),
+        "wire arm": turns("arm_turn", (0, 2)),
+        "pad": turns("pad_turn", (0, 2)),
+    },
     "coffee_machine": {
         "lid of the tank": turns("tank_lid_hinge", (1,)),
         "jug that slides out": slides("jug_slide", (0, 1)),
@@ -351,6 +356,12 @@ CHECKLIST: dict[str, dict[str, Moving]] = {
         "blade": turns("blade_hinge", (0, 1)),
         "arm of tongs": turns("arm_hinge", (0, 1)),
         "ring of tongs": slides("ring_slide", (0, 1)),
+    },
+    "shower": {
+        "hinged door": turns("door_hinge", (0, 1)),
+        "second leaf": turns("fold_hinge", (0, 1)),
+        "sliding door": slides("door_slide", (0, 1, 2)),
+        "curved door": turns("door_roll", (0, 2)),
     },
     "sink": {
         "spout": turns("spout_swivel", (1,)),
