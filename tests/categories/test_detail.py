@@ -27,7 +27,7 @@ MOST = 2800
 LARGE = {"dishwasher", "refrigerator"}
 
 SLENDER = {"pen"}
-"""Categories of round parts 8 to 15 mm thick, whose 8 facets take up to 13 % of their mass; others lose 5 %."""
+"""Categories of round parts 8 to 15 mm thick: 8 facets take up to 13 % of their mass; others lose 5 %."""
 
 
 def triangles(asset: Asset) -> int:
