@@ -1,4 +1,4 @@
-"""What all rooms draw: size, floor, style of fronts, a door, units under a worktop with a sink, a hood."""
+"""What all rooms draw: size, floor, style of fronts, a door, units under a worktop with a sink."""
 
 import math
 from collections.abc import Callable
@@ -274,18 +274,3 @@ def worktop(
     for x0, x1, y0, y1 in holes:
         slab = slab - ag.Region((x0, x1), (y0, y1), (low - 0.01, high + 0.01)).box()
     return ag.part(slab, "worktop", finish)
-
-
-def hood(region: ag.Region, ceiling: float) -> ag.Body:
-    """Make a hood: a canopy that fills a region, a filter below, and a chimney up to the ceiling."""
-    middle, back = region.x.mid, region.y.high
-    chimney = ag.Region((middle - 0.13, middle + 0.13), (back - 0.24, back), (region.z.high, ceiling))
-    filter_ = region.shrink(x=0.04, y=0.05).with_(z=(region.z.low - 0.004, region.z.low))
-    key = ag.cylinder(0.008, 0.004, axis=-ag.Y).at(middle, region.y.low - 0.002, region.z.mid)
-    keys = [key.at(x=0.03 * place) for place in (-1, 0, 1)]
-    return ag.weld(
-        ag.part(region.box(bevel=0.004), "hood", ag.material("stainless")),
-        ag.part(chimney.box(bevel=0.002), "chimney", ag.material("stainless")),
-        ag.part(filter_.box(bevel=0.001), "filter", ag.material("aluminium")),
-        ag.part(keys, "key", ag.material("black_abs")),
-    )

@@ -12,7 +12,6 @@ from artgen.asset import Asset
 from artgen.asset.asset import DetailName
 from artgen.categories.cooktop.case import THICK as PLATES
 from artgen.errors import ParameterError
-from artgen.nodes.region import Region
 from artgen.scene.furnish import (
     DEEP,
     DOORWAY,
@@ -28,7 +27,6 @@ from artgen.scene.furnish import (
     Span,
     check_room,
     drawn,
-    hood,
     width_of,
 )
 from artgen.scene.room import GAP, STANDING, Line, Wall
@@ -48,6 +46,7 @@ _WALL_CORNER = 0.62  # of each wall that a wall unit in a corner takes [m]
 _POST = 0.045  # on both sides of a corner unit, so that its door clears those beside it [m]
 _NARROW, _UNIT, _WIDE = 0.4, 0.58, 0.9  # least, usual and greatest width of a unit [m]
 _SINK = 0.6  # least width of a sink unit [m]
+_COOKS = 1.56  # height of a hood above the floor [m]
 _ABOVE, _HUNG = 1.45, 0.72  # bottom and height of the wall units [m]
 _SASHES = 0.61  # least width of a window with two sashes [m]
 _SILL = 0.06  # by which the sill of a window is wider at each end [m]
@@ -454,7 +453,7 @@ class _Kitchen(Furnisher):
         for item, at in placed:
             low, high = at, at + item.width
             if item.kind in ("oven", "hob"):
-                self._hood(row.wall, low + 0.02, high - 0.02)
+                self._hood(row, low + 0.02, high - 0.02)
             elif item.kind == "sink" and isinstance(row.wall, str):
                 middle = 0.5 * (low + high)
                 tall = [
@@ -475,6 +474,10 @@ class _Kitchen(Furnisher):
                 sides = _beside(items, number, "refrigerator")
                 self.hang(row.wall, at, item.width, *sides[:1])
 
-    def _hood(self, wall: Wall | Line, low: float, high: float) -> None:
-        region = Region((low, high), (-0.5, -0.001), (1.62, 1.70))
-        self.room.fixture("hood", lambda: hood(region, self.room.size[2] - 0.001), wall=wall)
+    def _hood(self, row: _Row, low: float, high: float) -> None:
+        """Hang a hood up to the ceiling, or hang it from the ceiling over an island."""
+        style = "island" if row.island else self.choice("chimney", "chimney", "glass", "inclined")
+        values = {"style": style, "height": self.room.size[2] - _COOKS - 0.016}
+        width = min(high - low, 0.898) if not row.island else 0.898
+        at = 0.5 * (low + high - width)
+        self.room.against(row.wall, "range_hood", at=at, z=_COOKS, name="hood", width=width, **values)

@@ -456,9 +456,9 @@ ROOMS: Mapping[str, Room] = {
             kitchen,
             (
                 *(*_FRONTS, "bottle", "chair", "cooktop", "dishwasher", "kettle", "microwave", "oven"),
-                *("pepper_grinder", "plier", "refrigerator", "sink", "toaster"),
+                *("pepper_grinder", "plier", "range_hood", "refrigerator", "sink", "toaster"),
             ),
-            ("chimney", "filler", "hood", "key", "panel", "plinth", "worktop"),
+            ("filler", "panel", "plinth", "worktop"),
         ),
         Room(living_room, (*_FRONTS, "bottle", "box", "chair", "clock", "fan", "lamp", "table"), ("screen",)),
         Room(
