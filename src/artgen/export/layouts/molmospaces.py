@@ -50,7 +50,7 @@ _SYNSETS: Mapping[str, str] = {
     "scissors": "scissors.n.01", "shower": "shower_stall.n.01", "sink": "sink.n.01",
     "soap_dispenser": "soap_dispenser.n.01",
     "stand_mixer": "electric_mixer.n.01", "stapler": "stapler.n.01", "suitcase": "bag.n.06",
-    "switch": "switch.n.01", "table": "table.n.02", "toaster": "toaster.n.02",
+    "switch": "switch.n.01", "syringe": "syringe.n.01", "table": "table.n.02", "toaster": "toaster.n.02",
     "toaster_oven": "toaster_oven.n.01", "toilet": "toilet.n.02", "trashcan": "ashcan.n.01",
     "usb_stick": "flash_memory.n.01", "valve": "valve.n.03", "washing_machine": "washer.n.03",
     "window": "window.n.01",
