@@ -71,6 +71,13 @@ PRODUCTS: Mapping[str, tuple[Product, ...]] = {
         Product("hair claw", (0.038, 0.056), (0.058, 0.107), (0.056, 0.086), (0.012, 0.060)),
         Product("spring clamp", (0.095, 0.175), (0.015, 0.032), (0.055, 0.098), (0.02, 0.10)),
     ),
+    # closed, the plunger pushed in
+    "syringe": (
+        Product("syringe", (0.070, 0.140), (0.015, 0.048), (0.009, 0.036), (0.0015, 0.036)),
+        Product("glass syringe", (0.070, 0.112), (0.024, 0.042), (0.012, 0.029), (0.010, 0.095)),
+        Product("pen for insulin", (0.150, 0.176), (0.016, 0.018), (0.017, 0.021), (0.022, 0.046)),
+        Product("syringe for icing", (0.235, 0.300), (0.085, 0.095), (0.046, 0.052), (0.07, 0.35)),
+    ),
     # roses of 0.05-0.08 m and levers of 0.10-0.16 m on a sample board of a shop
     "handle": (Product("handle on a stand", (0.15, 0.40), (0.10, 0.30), (0.20, 0.60), (1.5, 9.0)),),
     # plates of 0.56-0.92 x 0.50-0.56 m; dials and grates stand up to 0.05 m above them; a frame adds 0.02 m

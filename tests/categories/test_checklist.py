@@ -443,6 +443,13 @@ CHECKLIST: dict[str, dict[str, Moving]] = {
         "knob": turns("knob_turn", (0, 1)),
         "emergency stop": slides("stop_push", (0, 1)),
     },
+    "syringe": {
+        "plunger": slides("plunger_slide", (0, 1)),
+        "cap": slides("cap_slide", (0, 1)),
+        "dial": turns("dial_turn", (0, 1)),
+        "button": slides("button_slide", (0, 1)),
+        "nozzle": turns("nozzle_turn", (0, 1)),
+    },
     "table": {
         "drawer": slides("drawer_slide", (0, 1, 2, 3)),
         "leaf": turns("leaf_hinge(_right|_left)", (0, 2)),

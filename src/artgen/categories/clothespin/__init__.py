@@ -367,7 +367,7 @@ def _bulldog(size: ag.Scalar, force: ag.Scalar, finish: ag.Material) -> ag.Body:
     turned = ag.union(jaw, ear, pad, *(each - hole for each in lugs)).rotate(ag.X, math.pi)
     press = ag.push_on(turned, direction=(0.46, 0, -0.887), at=(21.7 * unit, 0, 16.2 * unit))
     upper = ag.part(turned, "lever", metal, name="lever", push=press)
-    return lower.attach(upper, _hinge(27.0 * unit * force, 0.62)).at(1.5 * unit, 0, 17.9 * unit)
+    return lower.attach(upper, _hinge(27.0 * unit * force, 0.62)).at(1.5 * unit, 0, -pad.anchor(z=-1).z)
 
 
 def _ordered(first: ag.Scalar, second: ag.Scalar) -> tuple[ag.Scalar, ag.Scalar]:
@@ -430,14 +430,16 @@ def _binder(size: ag.Scalar, force: ag.Scalar, finish: ag.Material) -> ag.Body:
     turn = (-math.sin(_WEDGE / 2), 0.0, math.cos(_WEDGE / 2))  # normal of the plane between the walls
     end = (deep * math.cos(_WEDGE) * unit, deep * math.sin(_WEDGE) * unit)
     rolls = [
-        ag.cylinder(1.4 * unit, 0.24 * size, axis=ag.Y).at(1.6 * unit, side * 0.34 * size, -1.75 * unit)
+        ag.extrude(ag.regular_polygon(10, 1.45 * unit), 0.24 * size, axis=ag.Y).at(
+            1.6 * unit, side * 0.34 * size, -1.75 * unit
+        )
         for side in (-1, 1)
     ]
     y, sheet = (-size / 2, size / 2), 0.00022 + 0.23 * unit
     wall = ag.Region((0.0, deep * unit), y, (-sheet, -0.00012)).box()
     short = ag.Region((0.0, (deep - 1.1) * unit), y, (-sheet, -0.00012)).box()
     knuckles = [
-        ag.cylinder(0.30 * unit, size, axis=ag.Y).at(x, 0, z)
+        ag.extrude(ag.regular_polygon(8, 0.32 * unit), size, axis=ag.Y).at(x, 0, z)
         for x, z in (((deep - 0.3) * unit, -0.3 * unit), end)
     ]
     body = ag.part(ag.union(wall, *rolls, ag.hull(*knuckles)), "body", steel, name="body")
@@ -460,15 +462,17 @@ def _binder(size: ag.Scalar, force: ag.Scalar, finish: ag.Material) -> ag.Body:
     body = body.attach(arm.suffixed("_0"), turns[0])
     lever = lever.attach(arm.mirror(turn).suffixed("_1"), turns[1])
     hinge = _hinge(deep * unit * force, 0.55, at=(end[0], 0, end[1]), driven="fingers that press both arms")
-    return body.attach(lever, hinge).at(-deep / 2 * unit, 0, 3.15 * unit)
+    return body.attach(lever, hinge).at(-deep / 2 * unit, 0, (1.75 + 1.45 * math.cos(math.pi / 10)) * unit)
 
 
 def _arm(size: ag.Scalar, reach: ag.Scalar, unit: ag.Scalar) -> ag.Body:
     """Make a wire arm about its pin, to the right."""
     wire = 0.8 * unit
     near, far = 0.18 * size, 0.13 * size
-    legs = [ag.cylinder_between((0, side * near, 0), (reach, side * far, 0), wire) for side in (-1, 1)]
-    tip = ag.cylinder_between((reach, -far, 0), (reach, far, 0), wire)
+    section = ag.regular_polygon(6, 1.06 * wire)
+    ends = [((0, side * near, 0), (reach, side * far, 0)) for side in (-1, 1)]
+    legs = [ag.sweep(section, ag.line(*each)) for each in ends]
+    tip = ag.sweep(section, ag.line((reach, -far, 0), (reach, far, 0)))
     balls = [ag.sphere(wire).at(reach, side * far, 0) for side in (-1, 1)]
     stubs = [ag.cylinder(wire, 0.10 * size, axis=ag.Y).at(0, side * 0.225 * size, 0) for side in (-1, 1)]
     return ag.weld(
