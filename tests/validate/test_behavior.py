@@ -183,6 +183,12 @@ def test_a_base_that_tips_over_when_it_is_open_is_a_note():
     assert result.findings[0].pose["slide"] > 0.05
 
 
+def test_what_is_low_rolls_on_the_floor_and_does_not_tip_over():
+    rod = box(0.2, 0.012, 0.012).rotate(X, 0.3).at(z=0.0077)
+    result = checked(part(rod, "rod", OAK), base="free")
+    assert [each.severity for each in result.findings] == ["note"]
+
+
 def test_wheels_of_a_free_base_may_roll_on_the_floor():
     cart = part(box(0.4, 0.3, 0.02).at(0, 0, 0.09), "cart", OAK)
     weight = part(box(0.1, 0.1, 0.05).at(0, 0, 0.126), "weight", STEEL)

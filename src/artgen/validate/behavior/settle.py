@@ -36,13 +36,14 @@ _STILL = 1e-3  # speed below which an impact is over [rad/s or m/s]
 _DRIFTS = {"revolute": math.radians(0.5), "prismatic": 0.0005}  # drift that needs a cause [rad or m]
 _IMPACT_TIME = 0.05  # shorter deep contacts are impacts of falling parts [s]
 _TILT = math.radians(2.0)  # drift of a base on the floor [m]
+_LYING = 0.08  # height of an asset that settles on its side or rolls away, rather than tips over [m]
 
 
 def settle(simulation: Simulation, *, stands: bool = False) -> "Settled":
     """Release an asset when it is closed, halfway open and open; `stands` if its base is free on a floor.
 
-    A base that tips over is a fault if the asset is closed, and a note if it is open, like a chest with all
-    drawers drawn out.
+    A base that tips over is a fault if the asset is closed and more than 80 mm high, and a note otherwise:
+    a chest with all drawers drawn out falls over, and a pen rolls.
     """
     result = Settled(simulation, stands)
     for q in start_poses(simulation.asset, simulation.motions):
@@ -132,7 +133,7 @@ class Settled:
         """Release the asset at a pose, and step until everything is at rest or the time is over."""
         simulation = self.simulation
         simulation.begin(q, "it settles")
-        opened = len(self.poses) > 1
+        opened, lies = len(self.poses) > 1, bool(np.ptp(simulation.asset.bounds()[:, 2]) < _LYING)
         if self.stands and opened and simulation.sinks():
             return  # folded like this, it does not stand on its base
         self.deep, self.tipped = {}, False
@@ -145,7 +146,7 @@ class Settled:
             simulation.step()
             self._report_contacts()
             if self.stands:
-                self._report_tilt("note" if opened else "fault")
+                self._report_tilt("note" if opened or lies else "fault")
             self._follow_drifts(drifts, (simulation.data.qpos[places] - starts).tolist())
             speeds = simulation.data.qvel
             still = np.abs(speeds).max(initial=0.0) < REST_SPEED
