@@ -347,6 +347,11 @@ _DOCS = {
     "PressRemoteButton": "Press a button of the remote control.",
     "PressSnooze": "Press the bar on top of the alarm clock.",
     "PressShutter": "Press the button of the camera's shutter.",
+    "OpenShower": "Open the door of the shower by 0.5 rad.",
+    "OpenRiceCooker": "Press the button that lets the lid of the rice cooker spring open.",
+    "LiftCookerLid": "Lift the lid off the slow cooker, by 0.06 m.",
+    "PullVisor": "Pull the visor of the range hood out by half its way.",
+    "SqueezeClip": "Press the lever of the clothespin or clip, so that its jaws open.",
 }
 push_door = by_lever("handle", 0.3, 0.34, pushes=True)
 _press = one_joint("", "push", "prismatic", 0.8, back=FAR_BACK)
@@ -371,6 +376,7 @@ _LOCKED = {
     "lock": choice("key", "dial"),
     "handle": by("style", home="knob", fire="spokes"),
 }
+_LATCHED, _VISOR = {"style": "hinged"}, {"style": "telescopic"}
 _Row = tuple[str, float, Chooser, Mapping[str, Any], bool]
 _ROWS: dict[str, _Row] = {  # category, time limit [s], stages, overrides, raised
     "PushDoor": ("door", 10.0, push_door, {"opener": "lever", "layout": "single"}, False),
@@ -425,6 +431,11 @@ _ROWS: dict[str, _Row] = {  # category, time limit [s], stages, overrides, raise
     "PressRemoteButton": ("remote", 6.0, _press, {"style": choice("tv", "stick", "gate")}, True),
     "PressSnooze": ("clock", 6.0, one_joint("snooze", "push", "prismatic", 0.8), {"style": "digital"}, True),
     "PressShutter": ("camera", 6.0, _SHUTTER, {"style": choice("compact", "reflex", "film")}, True),
+    "OpenShower": ("shower", 10.0, _door, {"style": choice("hinged", "pivot")}, False),
+    "OpenRiceCooker": ("rice_cooker", 6.0, one_joint("open", "push", "prismatic", 0.8), _LATCHED, True),
+    "LiftCookerLid": ("rice_cooker", 8.0, _off, {"style": "slow"}, True),
+    "PullVisor": ("range_hood", 8.0, one_joint("visor", "grasp", "prismatic", 0.5), _VISOR, True),
+    "SqueezeClip": ("clothespin", 6.0, _tip, {"style": choice("wood", "plastic", "bag")}, True),
     "PumpSoap": ("soap_dispenser", 6.0, _press, {"style": choice("bottle", "holder")}, True),
 }
 TASKS = {
