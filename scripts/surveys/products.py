@@ -184,6 +184,14 @@ PRODUCTS: Mapping[str, tuple[Product, ...]] = {
         Product("range", (0.59, 0.77), (0.59, 0.66), (0.84, 0.97), (45.0, 90.0)),
     ),
     # cabinets of 0.55-0.92 x 0.60-0.80 x 0.80-1.83 m; handles stand out by up to 0.07 m, hinge caps by 0.03 m
+    # shelves stand out by 0.30 m at both sides, handles and hinges by 0.06 m
+    "grill": (
+        Product("kettle", (0.50, 0.66), (0.52, 0.70), (0.88, 1.10), (7.0, 18.0)),
+        Product("gas grill", (1.18, 1.42), (0.58, 0.68), (1.05, 1.25), (40.0, 65.0)),
+        Product("ceramic egg", (0.38, 0.52), (0.45, 0.60), (0.92, 1.25), (36.0, 95.0)),
+        Product("portable grill", (0.55, 0.68), (0.38, 0.46), (0.30, 0.42), (8.0, 15.0)),
+        Product("contact grill", (0.33, 0.42), (0.34, 0.42), (0.14, 0.21), (4.0, 8.0)),
+    ),
     # without the hood's duct above a cabinet; catches hang down by 0.022 m
     "range_hood": (
         Product("hood with a chimney", (0.59, 0.91), (0.45, 0.54), (0.70, 1.12), (9.5, 23.0)),

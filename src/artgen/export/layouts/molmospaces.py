@@ -53,6 +53,23 @@ _SYNSETS: Mapping[str, str] = {
     "table": "table.n.02", "toaster": "toaster.n.02", "toaster_oven": "toaster_oven.n.01",
     "toilet": "toilet.n.02", "trashcan": "ashcan.n.01", "usb_stick": "flash_memory.n.01",
     "valve": "valve.n.03", "washing_machine": "washer.n.03", "window": "window.n.01",
+    "clock": "clock.n.01", "coffee_machine": "coffee_maker.n.01", "cooktop": "stove.n.01",
+    "dishwasher": "dishwasher.n.01", "display": "display.n.06", "door": "door.n.01",
+    "drawer": "drawer.n.01", "eyeglasses": "spectacles.n.01", "fan": "electric_fan.n.01",
+    "faucet": "faucet.n.01", "globe": "globe.n.03", "grill": "grill.n.02",
+    "handle": "handle.n.01", "kettle": "kettle.n.01",
+    "keyboard": "computer_keyboard.n.01", "knife": "knife.n.01", "lamp": "lamp.n.02",
+    "laptop": "laptop.n.01", "lighter": "lighter.n.02", "microwave": "microwave.n.02",
+    "mouse": "mouse.n.04", "oven": "oven.n.01", "pen": "pen.n.01", "pepper_grinder": "pepper_mill.n.01",
+    "phone": "telephone.n.01", "plier": "pliers.n.01", "pot": "pot.n.01", "printer": "printer.n.03",
+    "range_hood": "range_hood.n.01", "refrigerator": "refrigerator.n.01", "remote": "remote_control.n.01",
+    "rice_cooker": "cooker.n.01", "safe": "safe.n.01",
+    "scissors": "scissors.n.01", "sink": "sink.n.01", "soap_dispenser": "soap_dispenser.n.01",
+    "stand_mixer": "electric_mixer.n.01", "stapler": "stapler.n.01", "suitcase": "bag.n.06",
+    "switch": "switch.n.01", "table": "table.n.02", "toaster": "toaster.n.02",
+    "toaster_oven": "toaster_oven.n.01", "toilet": "toilet.n.02", "trashcan": "ashcan.n.01",
+    "usb_stick": "flash_memory.n.01", "valve": "valve.n.03", "washing_machine": "washer.n.03",
+    "window": "window.n.01",
 }  # fmt: skip
 
 
