@@ -22,7 +22,7 @@ from artgen.view.tracing import World
 DOCS = Path(__file__).parents[1] / "docs"
 _RADIUS = 3.6  # size of the scene for the lamps [m]
 _CENTER = np.array([1.6, -0.4, 1.0])
-_CAMERA = Camera((1.3, -10.6, 2.0), (1.68, 0.0, 1.0), 0.31)
+_CAMERA = Camera((1.3, -12.4, 2.2), (1.72, 0.0, 1.0), 0.31)
 _WORKTOP, _THICK = 0.885, 0.035  # height of what stands below a worktop, and its thickness [m]
 _TOP = _WORKTOP + _THICK
 _SAMPLES, _TEXELS = 32, 1024
@@ -72,16 +72,18 @@ ROOM = (
     Placed("kettle", 4, 0.30, z=_TOP + 0.045, gap=0.12, share=0.0, turn=0.9),
     Placed("coffee_machine", 6, -0.47, z=_TOP, gap=0.14, turn=0.35),
     Placed("bottle", 3, -0.66, z=_TOP, gap=0.10, share=0.0),
-    Placed("toaster", 3, -0.92, z=_TOP, gap=0.16, turn=0.3),
+    Placed("toaster", 3, -0.68, z=_TOP, gap=0.36, turn=0.3),
     Placed("pot", 1, 0.56, z=_TOP + 0.045, gap=0.34, share=0.0, turn=0.5),
     Placed("pepper_grinder", 3, 0.84, z=_TOP, gap=0.3),
     Placed("blender", 1, 0.96, z=_TOP, gap=0.14, share=0.0, turn=0.3),
     Placed("stand_mixer", 1, 1.22, z=_TOP, gap=0.06, share=0.6, turn=-0.5),
-    Placed("window", 1, 0.25, z=1.22),
+    Placed("window", 1, -0.62, z=1.22),
+    Placed("range_hood", 4, 0.42, z=1.52, share=0.0),
     Placed("cabinet", 3, 1.4, z=1.42, share=0.8),
     Placed("drawer", 3, 2.24, share=1.0),
+    Placed("rice_cooker", 0, 2.36, z=0.83, gap=0.03, share=0.0, turn=-0.2),
     Placed("microwave", 3, 1.88, z=0.83, gap=0.03),
-    Placed("toaster_oven", 1, 2.34, z=0.83, gap=0.03, turn=-0.2),
+    Placed("toaster_oven", 1, -0.93, z=_TOP, gap=0.03, turn=0.2),
     Placed("lamp", 2, 2.72, z=0.83, gap=0.03),
     Placed("scissors", 4, 2.34, z=0.83, gap=0.36, share=0.4, turn=-0.6),
     Placed("plier", 3, 2.56, z=0.83, gap=0.3, share=0.5, turn=0.9),
@@ -115,6 +117,10 @@ ROOM = (
     Placed("fan", 1, 5.05, gap=0.2, turn=0.1),
     Placed("sink", 4, 5.62, gap=0.01),
     Placed("toilet", 1, 6.25, gap=0.01, share=0.5),
+    Placed("shower", 11, 7.15, gap=0.01, share=0.5),
+    Placed("grill", 9, -3.42, gap=0.75, share=0.0, turn=0.35),
+    Placed("clothespin", 3, 3.98, z=0.70, gap=0.50, share=0.0, turn=0.6),
+    Placed("syringe", 3, 4.30, z=0.70, gap=0.58, share=0.0, turn=0.2),
 )
 
 
@@ -136,7 +142,7 @@ def _joinery() -> list[tuple[Mesh, Material]]:
     return [
         (_block((-1.15, -0.66, _WORKTOP), (1.43, 0.0, _TOP)), worktop),
         (_block((0.115, -0.58, 0.0), (0.725, 0.0, 0.24)), white),
-        (_block((-0.36, -0.012, 1.3), (0.86, -0.004, 2.08)), day),
+        (_block((-1.23, -0.012, 1.3), (-0.01, -0.004, 2.08)), day),
     ]
 
 

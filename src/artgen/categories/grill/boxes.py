@@ -239,7 +239,7 @@ def _shelves(body: ag.Body, half: ag.Scalar, rim: ag.Scalar, look: Look) -> ag.B
         ag.part(sheet, "shelf", filled(look.metal, 900.0, "shelf"), name="shelf", push=press_down),
         ag.part([barrel, web], "hinge", look.metal.with_(name="shelf_hinge", density=2000.0)),
     )
-    moment = 9.81 * shelf.mass() * 0.16
+    moment = shelf.weight() * 0.16
     fold = ag.Revolute(
         "shelf_hinge", axis=ag.Y, pivot=(half + 0.0135, 0, z), limits=(0, 1.52),
         friction=1.2 * moment, damping=0.2, armature=2e-3, effort=40.0,
@@ -410,7 +410,7 @@ def _upper(
         ),
     )
     lift = ag.Prismatic("lid_lift", axis=ag.Z, limits=(0, 0.025), friction=0.3, damping=20.0, effort=60.0)
-    moment = 9.81 * lid.mass() * 0.15
+    moment = lid.weight() * 0.15
     hinge = ag.Revolute(
         "lid_hinge", axis=-ag.X, pivot=(0, y, z), limits=(0, 1.62), friction=1.15 * moment, damping=0.3,
         armature=5e-3, effort=40.0,

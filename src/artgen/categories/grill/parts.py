@@ -119,7 +119,7 @@ def held_lid(
     lid: ag.Body, axle: ag.VectorLike, deep: ag.Scalar, opens: float, *, share: float = 0.0
 ) -> ag.Joint:
     """Make the hinge at the back of a lid: a spring carries a share of it, friction holds the rest."""
-    moment = 9.81 * lid.mass() * deep / 2
+    moment = lid.weight() * deep / 2
     stiffness = share * moment / opens
     drag = (1.25 - share) * moment + 0.2
     return ag.Revolute(

@@ -74,7 +74,7 @@ def _flap(hood: ag.Body, plan: ag.Region, face: ag.Scalar, friction: ag.Scalar, 
     flap = ag.weld(
         ag.part(pane, "flap", smoke, name="flap", grasp=hold), ag.part([web, barrel], "flap", smoke)
     )
-    torque = 1.1 * friction * 9.81 * flap.mass() * 0.05
+    torque = 1.1 * friction * flap.weight() * 0.05
     swing = ag.Revolute(
         "flap_hinge", axis=-ag.X, pivot=(0, y, z), limits=(0, 1.0), friction=torque, damping=0.01,
         armature=2e-4, effort=6.0,
@@ -181,7 +181,7 @@ def _pane(
         name_of(look, (0, pane.y.low, -0.36 * long), controls.ink_on(glass)),
     )
     # a spring carries a part of the weight, and friction holds the rest
-    moment = 9.81 * front.mass() * long / 2
+    moment = front.weight() * long / 2
     stiffness = 0.7 * moment * ag.sin(lean + 0.4) / 2.6
     drag = friction * (moment * ag.sin(lean + _WIDE) - stiffness * (3.0 - _WIDE))
     swing = ag.Revolute(

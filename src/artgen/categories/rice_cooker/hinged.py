@@ -71,7 +71,7 @@ def hinged(plan: Plan) -> ag.Body:
     lid, free = _lid(plan)
     lid = lid if plan.upright else _bail(lid, plan)
     axle = (0, plan.rear - 0.013, plan.seam + _AXLE)
-    hold = 1.35 * 9.81 * lid.mass() * plan.half
+    hold = 1.35 * lid.weight() * plan.half
     hinge = ag.Revolute(
         "lid_hinge", axis=-ag.X, pivot=axle, limits=(0, _OPEN), friction=hold, damping=0.2, armature=1e-3,
         effort=25.0, needs=free.until(0.06).beyond(0.0012),
