@@ -217,7 +217,11 @@ def test_a_wider_ball_is_used_only_where_a_narrower_one_does_not_suffice():
     assert len({each.to_json() for each in same}) == 1
 
 
-@pytest.mark.parametrize("category", some([name for name in categories() if name != "bottle"][::3], 2))
+TIGHT = {"bottle", "display", "drawer", "switch", "syringe"}
+"""Categories whose link with the most pieces cannot lose two of them at seed 2."""
+
+
+@pytest.mark.parametrize("category", some([name for name in categories() if name not in TIGHT], 6, 2))
 def test_two_pieces_less_of_a_link_are_proven_and_contain_the_solids(category):
     asset = artgen.generate(category, seed=2, certify=False)
     link = max(asset.links, key=lambda link: len(link.colliders))
