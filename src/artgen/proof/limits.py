@@ -261,7 +261,8 @@ def with_limits(asset: Asset, limits: Limits, keep: str | Iterable[str] = ()) ->
     For each dependency, either the dependent joint is narrowed to positions that are free without the
     condition (a rack stays in its oven), or the joints of the condition are narrowed until it holds (the
     handle of a window stays turned). The dependent joint gives way if four fifths of its range are left then,
-    or if it moves less mass than the joints of the condition.
+    or if it moves less mass than the joints of the condition. A joint that would be held open within a
+    twentieth of its range is locked at the open end.
 
     Args:
         asset: An asset with full ranges.
@@ -303,7 +304,8 @@ def with_limits(asset: Asset, limits: Limits, keep: str | Iterable[str] = ()) ->
 
 
 def _locked_open(joint: AssetJoint, left: Range) -> Range:
-    """Return a range, or the open end of a small one without the closed position: a spring presses there."""
+    """Return a range, or only its open end if it is small and without the closed position."""
+    # at its other end, a spring would press the joint back against what it has cleared
     low, high = joint.limits or (-np.inf, np.inf)
     if left[0] <= joint.closed <= left[1] or not 0.0 < left[1] - left[0] < _SMALL * (high - low) < np.inf:
         return left

@@ -11,6 +11,7 @@ import numpy as np
 from artgen.asset import Asset
 from artgen.asset.asset import DetailName
 from artgen.categories.cooktop.case import THICK as PLATES
+from artgen.categories.range_hood.parts import TAB
 from artgen.errors import ParameterError
 from artgen.scene.furnish import (
     DEEP,
@@ -475,9 +476,11 @@ class _Kitchen(Furnisher):
                 self.hang(row.wall, at, item.width, *sides[:1])
 
     def _hood(self, row: _Row, low: float, high: float) -> None:
-        """Hang a hood up to the ceiling, or hang it from the ceiling over an island."""
+        """Hang a hood, whose chimney ends at the ceiling, on a wall or over an island."""
         style = "island" if row.island else self.choice("chimney", "chimney", "glass", "inclined")
-        values = {"style": style, "height": self.room.size[2] - _COOKS - 0.016}
-        width = min(high - low, 0.898) if not row.island else 0.898
+        width = 0.898 if row.island else min(high - low, 0.898)
+        tall = self.room.size[2] - _COOKS - TAB - 0.001
         at = 0.5 * (low + high - width)
-        self.room.against(row.wall, "range_hood", at=at, z=_COOKS, name="hood", width=width, **values)
+        self.room.against(
+            row.wall, "range_hood", at=at, z=_COOKS, name="hood", style=style, width=width, height=tall
+        )

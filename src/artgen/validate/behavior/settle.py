@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
+from artgen._arrays import cached_property
 from artgen.asset import Asset, AssetCondition
 from artgen.asset.report import Finding, Severity
 from artgen.validate.behavior.model import (
@@ -133,8 +134,7 @@ class Settled:
         """Release the asset at a pose, and step until everything is at rest or the time is over."""
         simulation = self.simulation
         simulation.begin(q, "it settles")
-        opened, lies = len(self.poses) > 1, bool(np.ptp(simulation.asset.bounds()[:, 2]) < _LYING)
-        if self.stands and opened and simulation.sinks():
+        if self.stands and self._opened and simulation.sinks():
             return  # folded like this, it does not stand on its base
         self.deep, self.tipped = {}, False
         drifts = [self._drift(motion) for motion in simulation.motions.values()]
@@ -146,7 +146,7 @@ class Settled:
             simulation.step()
             self._report_contacts()
             if self.stands:
-                self._report_tilt("note" if opened or lies else "fault")
+                self._report_tilt()
             self._follow_drifts(drifts, (simulation.data.qpos[places] - starts).tolist())
             speeds = simulation.data.qvel
             still = np.abs(speeds).max(initial=0.0) < REST_SPEED
@@ -264,7 +264,17 @@ class Settled:
         )
         return max(depths, default=0.0)
 
-    def _report_tilt(self, severity: Severity) -> None:
+    @property
+    def _opened(self) -> bool:
+        """Whether the present pose is not the first one, in which all joints are closed."""
+        return len(self.poses) > 1
+
+    @cached_property
+    def _lies(self) -> bool:
+        """Whether the asset is so low that it settles or rolls rather than tips over."""
+        return bool(np.ptp(self.simulation.asset.bounds()[:, 2]) < _LYING)
+
+    def _report_tilt(self) -> None:
         simulation = self.simulation
         base = simulation.asset.links[0].name
         upright = float(simulation.data.body(base).xmat[8])
@@ -275,5 +285,6 @@ class Settled:
         degrees = f"{math.degrees(tilt):.3g} degrees"
         message = f"tips over: after {simulation.data.time:.2g} s it leans by {degrees}"
         hint = "give it a wider or heavier base, or fix it to the world with base='fixed'"
+        severity: Severity = "note" if self._opened or self._lies else "fault"
         finding = Finding(CHECK, message, base, "", tilt, "rad", self.poses[-1], hint, severity)
         self._add(finding, "tilt", severity)
