@@ -18,7 +18,7 @@ from node_pages import placed
 from surveys.pages import escaped
 
 import artgen
-from artgen import feel
+from artgen import feel, signals
 from artgen.nodes.joint import Feel
 
 PAGE = Path(__file__).parents[2] / "docs" / "cheat_sheet.md"
@@ -117,6 +117,10 @@ def _lines() -> Iterator[str]:
     yield from (
         f"Presets of joints (`feel=ag.feel.HINGE`): {', '.join(f'`{name}`' for name in presets)}.",
         "",
+    )
+    named = [(f"signals.{name}", getattr(signals, name)) for name in signals.__all__ if name != "Signal"]
+    yield from _section(
+        "Signals", "For `body.output(...)`: `a & b`, `a | b`, `~a`, `0.5 * a`. [Outputs](outputs.md).", named
     )
     named = [(name, _named(name)) for name in _CHOICES]
     yield from _section("Choices", "Defaults of parameters. [Sampling](parameters.md).", named)

@@ -55,7 +55,7 @@ class Example:
 
     def run(self) -> Any:
         """Return the handle that the example returns."""
-        names = {name: getattr(artgen, name) for name in (*artgen.__all__, "fittings")}
+        names = {name: getattr(artgen, name) for name in (*artgen.__all__, "fittings", "signals")}
         *before, last = self.source
         for line in before:
             exec(line, names)  # noqa: S102 - what runs is our own docstring

@@ -58,7 +58,7 @@ if typing.TYPE_CHECKING:
 asset_methods.bind()
 
 
-_MODULES = ("feel", "fittings", "images")
+_MODULES = ("feel", "fittings", "images", "signals")
 
 
 def __getattr__(name: str) -> typing.Any:

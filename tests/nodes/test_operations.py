@@ -6,6 +6,7 @@ import sys
 import numpy as np
 import pytest
 
+from artgen import signals
 from artgen.asset import Curve, Outline, Shape, Tree
 from artgen.graph import OPERATIONS, Graph
 from artgen.nodes import joint as joints
@@ -66,6 +67,7 @@ METHODS = {
     "normalize": Vector.normalized,
     "not_": Bool.__invert__,
     "offset": Profile.offset,
+    "output": Body.output,
     "or_": Bool.__or__,
     "paint": Solid.paint,
     "points_move": Points.__add__,
@@ -84,6 +86,11 @@ METHODS = {
     "rotate_body": Body.rotate,
     "round_": Float.__round__,
     "scale": Solid.scale,
+    "signal_all": signals.Signal.__and__,
+    "signal_any": signals.Signal.__or__,
+    "signal_not": signals.Signal.__invert__,
+    "signal_scaled": signals.Signal.__mul__,
+    "signal_where": signals.Signal.lift,
     "size": Solid.size,
     "split": Solid.split,
     "fillet": Solid.fillet,

@@ -8,6 +8,7 @@ from typing import Any
 
 import artgen.nodes
 from artgen import asset as values
+from artgen import signals
 from artgen.asset import Curve, Outline, Shape, Tree
 from artgen.graph import OPERATIONS, Handle
 from artgen.graph.kernel import alternatives
@@ -50,6 +51,7 @@ BY_TYPE: dict[Any, Any] = {
     values.AssetCondition: LEADER > SIZE,
     values.AssetDependency: (LEADER > SIZE).until(0.25),
     values.AssetDetents: detents((0.0, SIZE), 0.25),
+    values.AssetSignal: signals.level(LEADER),
     values.AssetSoftClosing: soft_closing(-0.25, preload=1.0, force=2.0, damping=SIZE),
 }
 """What an input of each type is given, unless `OVERRIDES` says otherwise."""
@@ -71,6 +73,10 @@ OVERRIDES: dict[str, dict[str, Any]] = {
     "bow": {"width": 0.02, "radius": 0.5},
     "capsule": {"length": 0.75},
     "clamp": {"high": 0.75},
+    "output": {"kind": "light", "material": None, "color": (), "joint": None, "speed": None},
+    "latest": {"signals": (signals.level(LEADER), LEADER > SIZE), "values": (0.0, SIZE)},
+    "level": {"ends": (0.0, SIZE)},
+    "pressed": {"ends": ()},
     "simplified_collider": {"within": 0.0005},
     "component": {"index": 2},
     "difference": {"b": BLOCK.at(0.1, 0.1, 0.1)},

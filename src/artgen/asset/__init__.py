@@ -14,10 +14,12 @@ from artgen.asset.joint import (
 )
 from artgen.asset.link import Collider, Link, Piece, Surface
 from artgen.asset.shape import Curve, Mesh, Outline, Shape
+from artgen.asset.signals import AssetOutput, AssetSignal
 from artgen.asset.tree import Branch, Tree
 
 __all__ = [
     "AllowedContact", "Asset", "AssetCondition", "AssetCoupling", "AssetCurve", "AssetDependency",
-    "AssetDetents", "AssetJoint", "AssetLoop", "AssetSoftClosing", "Branch", "Collider", "Curve", "Grasp",
-    "Link", "Mesh", "Outline", "Piece", "Push", "Shape", "Surface", "Tree", "rotation",
+    "AssetDetents", "AssetJoint", "AssetLoop", "AssetOutput", "AssetSignal", "AssetSoftClosing", "Branch",
+    "Collider", "Curve", "Grasp", "Link", "Mesh", "Outline", "Piece", "Push", "Shape", "Surface", "Tree",
+    "rotation",
 ]  # fmt: skip

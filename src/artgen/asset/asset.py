@@ -15,6 +15,7 @@ from artgen._names import ByName
 from artgen.asset import summary
 from artgen.asset.affordance import Affordance, affordance_data, affordances
 from artgen.asset.certificate import Certificate
+from artgen.asset.controller import Controller
 from artgen.asset.coupling import AssetCoupling, AssetLoop
 from artgen.asset.joint import (
     FEELS,
@@ -24,10 +25,11 @@ from artgen.asset.joint import (
     joints_above,
     positions_of_followers,
 )
-from artgen.asset.link import Link, RoundedLink
+from artgen.asset.link import Link, RepaintedLink, RoundedLink
 from artgen.asset.mass import MassProperties, total
 from artgen.asset.placed import PlacedAsset
 from artgen.asset.record import json_text, plain, rounded
+from artgen.asset.signals import AssetOutput, checked_outputs
 from artgen.asset.tree import Tree, check_contact
 from artgen.asset.valid_states import ValidStates
 from artgen.errors import AssetError, CheckError, ParameterError, nearest
@@ -199,6 +201,7 @@ class Asset:
             holds them at rest, and the proof is for that place.
         placed: Of a room, the assets in it with their places.
         loops: Closed chains of links, whose joints follow one input.
+        outputs: Lights, motors and other outputs, with the joints that control them.
     """
 
     name: str
@@ -218,6 +221,7 @@ class Asset:
     loose: tuple[str, ...] = ()
     placed: tuple[PlacedAsset, ...] = ()
     loops: tuple[AssetLoop, ...] = ()
+    outputs: tuple[AssetOutput, ...] = ()
 
     def __post_init__(self) -> None:
         """Let links and joints be read by name."""
@@ -231,8 +235,8 @@ class Asset:
         """Make an asset from an evaluated body.
 
         Raises:
-            AssetError: A link has no mass; a coupling, dependency or contact names an unknown joint;
-                couplings form a circle; or the joint of a contact does not move its links.
+            AssetError: A link has no mass; a coupling, dependency, contact or output names an unknown
+                joint; couplings form a circle; or the joint of a contact does not move its links.
         """
         links = tuple(tree.links())
         for link in links:
@@ -245,7 +249,9 @@ class Asset:
         contacts, loops = tuple(tree.all_contacts()), tuple(tree.all_loops())
         check_references(links, tuple(joints.values()), contacts, loops)
         ranged = tuple(with_followed_limits(joint, joints) for joint in joints.values())
-        return Asset(name, category, ByName(links), ByName(ranged), contacts=contacts, loops=loops, **fields)
+        outputs = checked_outputs(tuple(tree.all_outputs()), {joint.name: joint for joint in ranged})
+        fields |= {"contacts": contacts, "loops": loops, "outputs": outputs}
+        return Asset(name, category, ByName(links), ByName(ranged), **fields)
 
     def __copy__(self) -> "Asset":
         return self  # it never changes
@@ -334,7 +340,44 @@ class Asset:
     @cached_property
     def valid_states(self) -> ValidStates:
         """The valid joint states as arrays, as every export carries them."""
-        return _CheckedStates(self.states_data()["joints"])
+        data = self.states_data()
+        return _CheckedStates(data["joints"], data.get("outputs", ()))
+
+    def controller(self, worlds: int = 1) -> Controller:
+        """Return the controller of a number of equal products, which computes their outputs over time."""
+        return Controller(self.valid_states, worlds)
+
+    def with_outputs(self, values: Mapping[str, float]) -> "Asset":
+        """Return the asset with lights and displays shining, for pictures and files.
+
+        Args:
+            values: Values from 0 to 1 by the names of outputs; others stay dark.
+
+        Raises:
+            AssetError: There is no such output, it has no material that shines, or its value is no number
+                from 0 to 1.
+        """
+        named = {each.name: each for each in self.outputs}
+        shines: dict[str | None, Array] = {}
+        for name, value in values.items():
+            output = named.get(name)
+            if output is None or output.color is None:
+                lights = [each.name for each in self.outputs if each.color is not None]
+                has = "no such output" if output is None else "no material that shines"
+                raise AssetError(f"output {name!r}: asset {self.name!r} has {has}.{nearest(name, lights)}")
+            if not is_number(value) or not 0.0 <= value <= 1.0:
+                raise AssetError(f"output {name!r} cannot be {value!r}; give a number from 0 to 1")
+            before = shines.get(output.material, np.zeros(3))
+            shines[output.material] = before + value * np.array(output.color)
+        if not values:
+            return self
+        repainted = {
+            each: each.with_(emission=tuple(map(float, shines[each.name])))
+            for each in self.materials
+            if each.name in shines
+        }
+        links = ByName(RepaintedLink.of(link, materials=repainted) for link in self.links)
+        return remember(replace(self, links=links), self.certificate)
 
     @property
     def is_room(self) -> bool:
@@ -342,12 +385,13 @@ class Asset:
         return bool(self.links) and self.links[0].name == "room"
 
     def states_data(self) -> dict[str, Any]:
-        """Return limits, couplings, dependencies and tendons of joints as JSON data, for `ValidStates`."""
+        """Return limits, couplings, dependencies and tendons of joints, and outputs, as JSON data."""
         fields = ("name", "limits", "follows", "needs", "detents", "closing")
         data = plain(tuple(map(rounded, self.joints)))
         rows = [{name: row[name] for name in fields if name in row} for row in data]
         loops = {"loops": plain(rounded(self.loops))} if self.loops else {}
-        return {"format": "artgen-states-1", "joints": rows, **loops}
+        outputs = {"outputs": plain(rounded(self.outputs))} if self.outputs else {}
+        return {"format": "artgen-states-1", "joints": rows, **loops, **outputs}
 
     @property
     def dof_names(self) -> tuple[str, ...]:
@@ -533,7 +577,7 @@ class Asset:
             return self
         joints, contacts = ByName(map(rounded, self.joints)), rounded(self.contacts)
         result = replace(self, joints=joints, parameters=rounded(self.parameters), contacts=contacts)
-        result = replace(result, loops=rounded(self.loops)) if self.loops else result
+        result = replace(result, loops=rounded(self.loops), outputs=rounded(self.outputs))
         links = [RoundedLink.at(link, result.origin(link.name)) for link in self.links]
         return remember(replace(result, links=ByName(links)), self.certificate)
 
@@ -557,6 +601,7 @@ class Asset:
             **({"loose": list(self.loose)} if self.loose else {}),
             **({"placed": rounded(plain(self.placed))} if self.placed else {}),
             **({"loops": plain(asset.loops)} if self.loops else {}),
+            **({"outputs": plain(asset.outputs)} if self.outputs else {}),
             "certificate": None if certificate is None else rounded(certificate.to_data()),
             **({} if certificate is None else {"certified": subject(asset)}),
         }

@@ -35,6 +35,7 @@ from artgen.asset.mass import MassProperties
 from artgen.asset.placed import PlacedAsset
 from artgen.asset.record import read, refused
 from artgen.asset.shape import Mesh
+from artgen.asset.signals import AssetOutput, checked_outputs
 from artgen.asset.surface import metric_coordinates
 from artgen.colliders import Convex
 from artgen.colliders.convex import Kind
@@ -128,6 +129,7 @@ class _Asset(TypedDict):
     loose: NotRequired[tuple[str, ...]]
     placed: NotRequired[tuple[PlacedAsset, ...]]
     loops: NotRequired[tuple[AssetLoop, ...]]
+    outputs: NotRequired[tuple[AssetOutput, ...]]
     certificate: NotRequired[Certificate | None]
     certified: NotRequired[str]
     layout: NotRequired[str]
@@ -327,6 +329,7 @@ def _asset(form: _Asset, data: Mapping[str, Any], directory: Path) -> Asset:
         loose=form.get("loose", ()),
         placed=form.get("placed", ()),
         loops=form.get("loops", ()),
+        outputs=checked_outputs(form.get("outputs", ()), {each.name: each for each in form["joints"]}),
         **{name: data[name] for name in (*PLAIN, "detail") if name in data},
     )
     # preset the cached property: otherwise it would be derived from the surfaces

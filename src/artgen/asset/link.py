@@ -1,6 +1,6 @@
 """Links: rigid bodies made of named pieces of one material each."""
 
-from collections.abc import Callable, Collection, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, fields, replace
 from functools import cache
 from itertools import compress, repeat
@@ -379,6 +379,33 @@ class ReducedLink(DerivedLink):
         if len(self.pieces) == len(self.source.pieces):
             return self.source
         return Link(self.name, self.label, tuple(self.pieces), self.grasps, self.separate, self.pushes)
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class RepaintedLink(DerivedLink):
+    """A link with other materials."""
+
+    materials: Mapping[Material, Material] = field(kw_only=True)  # new materials by the old ones
+
+    def _with(self, items: Iterable[Any]) -> tuple[Any, ...]:
+        return tuple(
+            replace(each, material=self.materials[each.material]) if each.material in self.materials else each
+            for each in items
+        )
+
+    @cached_property
+    def colliders(self) -> tuple[Collider, ...]:
+        """The colliders of the source, with the new materials."""
+        return self._with(self.source.colliders)
+
+    @cached_property
+    def surfaces(self) -> tuple[Surface, ...]:
+        """The surfaces of the source, with the new materials."""
+        return self._with(self.source.surfaces)
+
+    def surfaces_of(self, mesh_of: Callable[[Piece], Mesh]) -> tuple[Surface, ...]:
+        """Return one surface for each label and material; `mesh_of` returns the mesh of a piece."""
+        return self._with(self.source.surfaces_of(mesh_of))
 
 
 @dataclass(frozen=True, eq=False, repr=False)

@@ -14,6 +14,7 @@ from artgen.asset.joint import AllowedContact, AssetJoint, joints_above
 from artgen.asset.link import Link, Piece
 from artgen.asset.manifolds import touching
 from artgen.asset.shape import MovedShape
+from artgen.asset.signals import AssetOutput
 from artgen.colliders.triangles import cross
 from artgen.errors import AssetError, nearest
 
@@ -41,6 +42,7 @@ class Tree:
     # allowed contacts declared on this tree; contacts declared on a branch stay there
     contacts: tuple[AllowedContact, ...] = ()
     loops: tuple[AssetLoop, ...] = ()  # closed chains declared on this tree
+    outputs: tuple[AssetOutput, ...] = ()  # outputs declared on this tree
 
     def links(self) -> Iterator[Link]:
         """Yield every link, parents before their children."""
@@ -67,6 +69,12 @@ class Tree:
         for branch in self.branches:
             yield from branch.tree.all_loops()
 
+    def all_outputs(self) -> Iterator[AssetOutput]:
+        """Yield the outputs of the whole tree, parents before their children."""
+        yield from self.outputs
+        for branch in self.branches:
+            yield from branch.tree.all_outputs()
+
     def with_joints(self, joints: Mapping[str, AssetJoint]) -> "Tree":
         """Return the tree with other joints in place of those of the same names."""
         branches = self._branches(
@@ -86,7 +94,7 @@ class Tree:
         """Return the tree after a rigid motion or a reflection, shape (4, 4)."""
         branches = self._branches(lambda joint: joint.moved(matrix), lambda tree: tree.moved(matrix))
         loops = tuple(loop.moved(matrix) for loop in self.loops)
-        return Tree(self.link.moved(matrix), branches, self.contacts, loops)
+        return Tree(self.link.moved(matrix), branches, self.contacts, loops, self.outputs)
 
     def suffixed(self, suffix: str) -> "Tree":
         """Return the tree with a suffix on the names of all its links, joints, grasps and pushes."""
@@ -100,7 +108,9 @@ class Tree:
         )
         contacts = tuple(contact.renamed(link_names, names) for contact in self.contacts)
         loops = tuple(loop.renamed(link_names, names) for loop in self.loops)
-        return Tree(self.link.renamed(lambda name: name + suffix, names), branches, contacts, loops)
+        outputs = tuple(each.renamed(each.name + suffix, names, {}) for each in self.outputs)
+        link = self.link.renamed(lambda name: name + suffix, names)
+        return Tree(link, branches, contacts, loops, outputs)
 
     def _branches(
         self, of_joint: Callable[[AssetJoint], AssetJoint], of_tree: Callable[["Tree"], "Tree"]

@@ -11,6 +11,7 @@ A joint may need a condition on others to leave 0; it is free up to `beyond` and
 
 import json
 import re
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
@@ -25,9 +26,9 @@ Array = NDArray[np.float64]
 class ValidStates:
     """The valid joint states of an asset: limits, couplings and dependencies."""
 
-    def __init__(self, joints: list[dict[str, Any]]) -> None:
+    def __init__(self, joints: list[dict[str, Any]], outputs: Sequence[dict[str, Any]] = ()) -> None:
         """Take the joints of the files: dictionaries with name, limits, follows and needs."""
-        self.joints = tuple(rows := {str(joint["name"]): joint for joint in joints})
+        self.joints, self.outputs = tuple(rows := {str(each["name"]): each for each in joints}), outputs
         limits = {each["name"]: each["limits"] or (-np.inf, np.inf) for each in joints if not each["follows"]}
         self.dofs = tuple(name for name, (low, high) in limits.items() if low != high)
         ranges = np.array([limits[name] for name in self.dofs], float).reshape(-1, 2)
@@ -52,7 +53,8 @@ class ValidStates:
         """Read an exported file; ValueError if it has no states."""
         if not (found := _data(Path(path))):
             raise ValueError(f"{path} has no {KEY}: artgen exports it to URDF, MJCF, USD, GLB and SDF")
-        return cls((json.loads(found) if isinstance(found, str) else found)["joints"])
+        data = json.loads(found) if isinstance(found, str) else found
+        return cls(data["joints"], data.get("outputs", ()))
 
     def positions(self, q: ArrayLike) -> Array:
         """Return the positions of all joints, shape (..., joints), for states of shape (..., dof)."""
@@ -102,7 +104,7 @@ class ValidStates:
         needs = self._needs[name]
         found = self._found(columns, (name, *_named(needs["condition"])))
         distance, until = np.abs(found[name]), needs.get("until")
-        free = (distance <= max(needs.get("beyond") or 0.0, 1e-9)) | _holds(found, needs["condition"])
+        free = (distance <= max(needs.get("beyond") or 0.0, 1e-9)) | holds(found, needs["condition"])
         return ~(free if until is None else free | (distance >= until))
 
     def _free(self, columns: Array, name: str) -> None:
@@ -129,12 +131,11 @@ def curve_at(curve: dict[str, Any] | None, position: Any) -> Any:
     return np.polynomial.chebyshev.chebval(place, terms) + 2.0 * turns * np.sum(terms[1::2])
 
 
-def _holds(found: dict[str, Array], condition: dict[str, Any]) -> Any:
-    if condition["kind"] in ("above", "below"):
-        compare = np.greater if condition["kind"] == "above" else np.less
-        return compare(found[condition["joint"]], condition["value"])
-    combine = np.logical_and if condition["kind"] == "all" else np.logical_or
-    return combine.reduce([_holds(found, term) for term in condition["terms"]])
+def holds(found: dict[str, Array], condition: dict[str, Any]) -> Any:
+    """Tell where a condition holds, for positions of joints by name."""
+    rules = {"above": np.greater, "below": np.less, "all": np.logical_and, "any": np.logical_or}
+    rule, terms = rules[condition["kind"]], [holds(found, each) for each in condition.get("terms") or ()]
+    return rule.reduce(terms) if terms else rule(found[condition["joint"]], condition["value"])
 
 
 def _named(condition: dict[str, Any]) -> list[str]:
@@ -142,9 +143,8 @@ def _named(condition: dict[str, Any]) -> list[str]:
 
 
 def _data(path: Path) -> Any:
-    text = path.read_bytes()
-    if path.suffix in (".glb", ".json"):
-        text = text[20 : 20 + int.from_bytes(text[12:16], "little")] if path.suffix == ".glb" else text
-        found = json.loads(text)
-        return found["asset"].get("extras", {}).get(KEY) if path.suffix == ".glb" else found
+    text, glb = path.read_bytes(), path.suffix == ".glb"
+    if glb or path.suffix == ".json":
+        found = json.loads(text[20 : 20 + int.from_bytes(text[12:16], "little")] if glb else text)
+        return found["asset"].get("extras", {}).get(KEY) if glb else found
     return (match := re.search(_TEXT, text.decode())) and match[match.lastindex or 0].replace("&quot;", '"')

@@ -35,6 +35,9 @@ def render(
     opening: Annotated[
         float, Option("--open", metavar="0..1", help="Share of the ranges; --joint overrides it.")
     ] = 0.0,
+    lit: Annotated[
+        list[str] | None, Option("--on", metavar="OUTPUT", help="Light that shines, or 'all'. Repeatable.")
+    ] = None,
     view: Annotated[
         str | None,
         Option(help="front, back, side, top, ... or close-up:LINK; by default from the left and above."),
@@ -60,6 +63,8 @@ def render(
     with progress("render"):
         asset = asset_from(context, source, seed, overrides or [], detail=detail)
         q = opened(asset, opening) | _positions(positions or [])
+        shining = [each.name for each in asset.outputs if each.color] if lit == ["all"] else lit or []
+        asset = asset.with_outputs(dict.fromkeys(shining, 1.0))
         picture = asset.render(
             q, camera=view, size=pixels, studio=studio, textures=texture_size, samples=samples
         )

@@ -194,7 +194,9 @@ def _weld(bodies: tuple[Tree, ...]) -> Tree:
         contact.renamed({body.link.name: first.name}, {}) for body in bodies for contact in body.contacts
     )
     loops = tuple(loop.renamed({body.link.name: first.name}, {}) for body in bodies for loop in body.loops)
-    return Tree(link, tuple(branch for body in bodies for branch in body.branches), contacts, loops).checked()
+    branches = tuple(branch for body in bodies for branch in body.branches)
+    outputs = tuple(output for body in bodies for output in body.outputs)
+    return Tree(link, branches, contacts, loops, outputs).checked()
 
 
 @records(_weld)

@@ -9,6 +9,7 @@ import numpy as np
 
 from artgen._names import NAME_RULE, is_identifier
 from artgen.asset import Curve, Outline, Shape, Tree
+from artgen.asset.signals import OutputKind
 from artgen.errors import BuildError
 from artgen.graph import LITERAL_TYPES, Handle, LiteralType
 from artgen.graph.node import authors_line
@@ -416,6 +417,49 @@ class Body(Handle):
             >>> base.loop("rod", "rocker", at=b, axis=Y, driver=turn)
         """
         return Body.record("loop", body=self, a=a, b=b, at=at, axis=axis, driver=driver.name)
+
+    def output(
+        self,
+        name: str,
+        signal: Any,
+        *,
+        kind: OutputKind,
+        material: Material | None = None,
+        color: Sequence[Scalar] = (),
+        moves: Any = None,
+        speed: Scalar | None = None,
+    ) -> Body:
+        """Give the product an output, such as a light or a motor, which joints control.
+
+        Args:
+            name: Identifier, unique in the asset.
+            signal: Its value from 0 to 1, from `artgen.signals`, or a condition such as `door > 0.05`.
+            kind: `light`, `heat`, `motor`, `flow` of water, air or gas, `display` or `sound`.
+            material: Material that shines with the output; no other part has it.
+            color: Emission of that material at 1, linear RGB; by default warm white, red for heat.
+            moves: Joint that a motor moves, or its name; its own `driven` names the motor.
+            speed: Speed of that joint at 1 [rad/s or m/s].
+
+        Examples:
+            >>> opal = material("frosted_glass").with_(name="bulb")
+            >>> socket = part(cylinder(0.02, 0.03).at(z=-0.02), "socket", material("abs"))
+            >>> lamp = weld(socket, part(sphere(0.03).at(z=0.0245), "bulb", opal))
+            >>> key = part(cylinder(0.004, 0.006, axis=X).at(0.0235, 0, -0.02), "button", material("abs"))
+            >>> press = Prismatic("press", axis=-X, limits=(0, 0.0004), spring=Spring(stiffness=4000.0))
+            >>> on = signals.toggle(signals.pressed(press))
+            >>> lamp.attach(key, press).output("light", on, kind="light", material=opal, color=(1, 0.8, 0.6))
+        """
+        return Body.record(
+            "output",
+            body=self,
+            name=name,
+            signal=signal,
+            kind=kind,
+            material=None if material is None else material.name,
+            color=tuple(color),
+            joint=getattr(moves, "name", moves),
+            speed=speed,
+        )
 
     def at(self, x: Scalar | VectorLike = 0.0, y: Scalar = 0.0, z: Scalar = 0.0) -> Body:
         """Move by a vector, or by x, y and z [m]."""

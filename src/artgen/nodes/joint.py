@@ -18,6 +18,7 @@ from artgen.asset import (
     AssetDependency,
     AssetDetents,
     AssetJoint,
+    AssetSignal,
     AssetSoftClosing,
 )
 from artgen.errors import BuildError
@@ -37,11 +38,15 @@ class Condition(Handle):
     value_type: ClassVar[Any] = AssetCondition
 
     def __and__(self, other: Condition) -> Condition:
-        """Intersect two regions."""
+        """Intersect two regions; with a signal, return the smaller one, see `artgen.signals`."""
+        if getattr(other, "value_type", None) is AssetSignal:
+            return NotImplemented
         return Condition.record("condition_all", a=self, b=other)
 
     def __or__(self, other: Condition) -> Condition:
-        """Unite two regions."""
+        """Unite two regions; with a signal, return the greater one, see `artgen.signals`."""
+        if getattr(other, "value_type", None) is AssetSignal:
+            return NotImplemented
         return Condition.record("condition_any", a=self, b=other)
 
     def __invert__(self) -> NoReturn:

@@ -6,8 +6,8 @@ the back wall is the origin.
 
 import math
 import zlib
-from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from collections.abc import Callable, Collection, Mapping, Sequence
+from dataclasses import dataclass, replace
 from functools import partial, reduce
 from operator import add, or_
 from typing import Any, Literal, get_args
@@ -20,10 +20,9 @@ from artgen.asset import Asset, AssetJoint
 from artgen.asset.asset import DetailName, remember
 from artgen.asset.collision import link_parts
 from artgen.asset.joint import is_number, rotation
-from artgen.asset.link import Collider, DerivedLink, Piece, Surface
+from artgen.asset.link import RepaintedLink
 from artgen.asset.manifolds import box_of
 from artgen.asset.placed import PlacedAsset, certificate_digest, place_of
-from artgen.asset.shape import Mesh
 from artgen.catalog import find
 from artgen.errors import AssetError, ParameterError
 from artgen.export.frames import translation
@@ -669,38 +668,12 @@ def _check_ranges(asset: Asset, before: Asset) -> Asset:
     return asset
 
 
-@dataclass(frozen=True, eq=False, repr=False)
-class _Repainted(DerivedLink):
-    """A link with renamed materials."""
-
-    materials: Mapping[Material, Material] = field(kw_only=True)  # new materials by the old ones
-
-    def _with(self, items: Iterable[Any]) -> tuple[Any, ...]:
-        return tuple(
-            replace(each, material=self.materials[each.material]) if each.material in self.materials else each
-            for each in items
-        )
-
-    @cached_property
-    def colliders(self) -> tuple[Collider, ...]:
-        """The colliders of the source, with the new materials."""
-        return self._with(self.source.colliders)
-
-    @cached_property
-    def surfaces(self) -> tuple[Surface, ...]:
-        """The surfaces of the source, with the new materials."""
-        return self._with(self.source.surfaces)
-
-    def surfaces_of(self, mesh_of: Callable[[Piece], Mesh]) -> tuple[Surface, ...]:
-        """Return one surface for each label and material; `mesh_of` returns the mesh of a piece."""
-        return self._with(self.source.surfaces_of(mesh_of))
-
-
 def _distinct(placed: Placement, known: dict[str, Material]) -> dict[Material, Material]:
-    """Return new materials for those whose names other materials of the scene have, and add all to these."""
+    """Return new materials for those whose names others have, and that shine; add all to the known ones."""
     result = {}
+    shining = {output.material for output in placed.asset.outputs}
     for each in placed.asset.materials:
-        if known.setdefault(each.name, each) != each:
+        if known.setdefault(each.name, each) != each or each.name in shining:
             result[each] = each.with_(name=f"{placed.name}_{each.name}")
     return result
 
@@ -708,7 +681,7 @@ def _distinct(placed: Placement, known: dict[str, Material]) -> dict[Material, M
 def _joined(name: str, category: str, room: Asset, placed: Collection[Placement]) -> Asset:
     """Return one asset of a room and the assets in it, each fixed to what carries it by a locked joint."""
     links, joints, contacts = list(room.links), list(room.joints), list(room.contacts)
-    loops = list(room.loops)
+    loops, outputs = list(room.loops), list(room.outputs)
     base, materials = links[0].name, {each.name: each for each in room.materials}
     for each in placed:
         prefix = f"{each.name}_"
@@ -716,7 +689,9 @@ def _joined(name: str, category: str, room: Asset, placed: Collection[Placement]
         of_joints = {joint.name: prefix + joint.name for joint in each.asset.joints}
         repaint = _distinct(each, materials)
         links += [
-            _Repainted.of(link, materials=repaint).moved(each.pose).renamed(partial(add, prefix), of_joints)
+            RepaintedLink.of(link, materials=repaint)
+            .moved(each.pose)
+            .renamed(partial(add, prefix), of_joints)
             for link in each.asset.links
         ]
         up, root = np.array([0.0, 0.0, 1.0]), of_links[each.asset.links[0].name]
@@ -727,6 +702,8 @@ def _joined(name: str, category: str, room: Asset, placed: Collection[Placement]
             joints.append(replace(moved, parent=of_links[joint.parent], child=of_links[joint.child]))
         contacts += [contact.renamed(of_links, of_joints) for contact in each.asset.contacts]
         loops += [loop.moved(each.pose).renamed(of_links, of_joints) for loop in each.asset.loops]
+        painted = {old.name: new.name for old, new in repaint.items()}
+        outputs += [one.renamed(prefix + one.name, of_joints, painted) for one in each.asset.outputs]
     labels = {label for each in placed for label in each.asset.labels}
     labels |= {label for link in links for label in link.labels}
     return Asset(
@@ -738,6 +715,7 @@ def _joined(name: str, category: str, room: Asset, placed: Collection[Placement]
         labels=tuple(sorted(labels)),
         contacts=tuple(contacts),
         loops=tuple(loops),
+        outputs=tuple(outputs),
         loose=tuple(_base_of(each) for each in placed if each.free),
         placed=tuple(each.record() for each in placed),
     )

@@ -236,6 +236,7 @@ def pad(asset: Asset, slots: "Sequence[Slot]", places: Mapping[str, str]) -> Ass
         labels=tuple(dict.fromkeys((*asset.labels, *(link.label for link in result)))),
         contacts=tuple(each.renamed(places, names) for each in asset.contacts),
         loops=tuple(each.renamed(places, names) for each in asset.loops),
+        outputs=tuple(each.renamed(each.name, names, {}) for each in asset.outputs),
         originals=originals,
     )
 

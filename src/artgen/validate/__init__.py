@@ -28,6 +28,7 @@ CHECKS = (
     *DEFAULT_FORMATS,
     "certificate",
     "grasps",
+    "outputs",
     "room",
     "behavior",
 )

@@ -18,7 +18,7 @@ from typing import Literal
 
 import artgen as ag
 from artgen.categories.lamp import arms, electrics, finish, shades, stands
-from artgen.categories.lamp.finish import plastic, weighted
+from artgen.categories.lamp.finish import GLOBE, plastic, weighted
 
 Style = Literal["desk", "architect", "led_bar", "reading", "floor", "tripod", "arc", "table", "mushroom"]
 
@@ -336,7 +336,11 @@ def lamp(
             level = height - 0.11 - travel  # lowest height of the clamp
             rail = stands.pole(arms.POLE, top - 0.001, height - 0.03, metal, capped=True)
             base = ag.weld(base, rail).require(level > top + carried.hangs + 0.01, _TOO_LOW)
-        return base.attach(carried.body.at(z=level), *carried.joints)
+        return electrics.lit(
+            base.attach(carried.body.at(z=level), *carried.joints),
+            switch,
+            arms.LED if style == "led_bar" else shades.BULB,
+        )
 
     under: ag.Scalar = top  # under a chain
     if style == "table":
@@ -351,8 +355,10 @@ def lamp(
     else:
         stand = stands.pole(0.0115, top - 0.001, foot + 0.003, metal)
     if shade == "globe":
-        return shades.globed(ag.weld(base, stand), foot, shade_radius, metal)
+        return electrics.lit(shades.globed(ag.weld(base, stand), foot, shade_radius, metal), switch, GLOBE)
     chain = electrics.Chain(chain_travel, chain_force, under) if switch == "pull_chain" else None
     low: ag.Scalar = 0.002 if style == "tripod" else top + 0.002  # the shade is above the base
     over = ag.max_(low, electrics.CASE[2] + _ON_CASE) if switch_on == "cord" else low
-    return cover.on(ag.weld(base, stand), mouth, shade_friction, over, chain)
+    return electrics.lit(
+        cover.on(ag.weld(base, stand), mouth, shade_friction, over, chain), switch, shades.BULB, cloth=coat
+    )

@@ -17,6 +17,7 @@ from artgen.categories.lamp.shades import Head
 
 ArmStyle = Literal["rods", "tube", "flat"]  # thin round bars, a round tube or square bars, or flat bars
 
+LED = ag.material("led_white")  # strip of a bar
 POLE = 0.0095  # radius of the pole for the arm of a reading lamp [m]
 
 _INNER = 0.005  # half the width of the inner lane [m]
@@ -307,7 +308,7 @@ def _bar(finish: ag.Material, length: ag.Scalar) -> ag.Body:
     return ag.weld(
         ag.part(case.box(bevel=0.003), "shade", light, grasp=grip),
         _link("shade", finish, [neck], (0, 0, 0), outer=False),
-        ag.detail(glow.box(bevel=0.0006), "bulb", ag.material("led_white")),
+        ag.detail(glow.box(bevel=0.0006), "bulb", LED),
     )
 
 

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from typing import Literal
 
 import artgen as ag
-from artgen import details, feel
+from artgen import details, feel, signals
 from artgen.categories.shared.appliances import CORD, strain_relief
 from artgen.categories.shared.controls import button_cap, button_hole, button_press, control_knob
 from artgen.nodes.fitting import FIT, Fitting
@@ -66,6 +66,28 @@ def switch(kind: SwitchKind, finish: ag.Material, ink: ag.Material) -> Fitting:
         plate = ag.cylinder(HALF["dial"], 0.0010, axis=ag.Y).at(y=0.0003)
         fitting = Fitting.moving(knob, turn, fixed=ag.detail(plate, "switch", finish))
     return fitting.rotate(ag.X, -math.pi / 2)
+
+
+def lit(
+    body: ag.Body,
+    kind: SwitchKind | Literal["pull_chain"],
+    bulb: ag.Material,
+    cloth: ag.Material | None = None,
+) -> ag.Body:
+    """Let the switch of a lamp light its bulb, and a shade of cloth around it; a dial dims them."""
+    if kind == "dial":
+        on = signals.level("switch_turn", (0.0, 4.7))
+    elif kind == "rocker":
+        on = signals.pressed("switch_rock", (-_ROCK, _ROCK))
+    else:
+        on = signals.toggle(signals.pressed("switch_slide" if kind == "button" else "switch_pull"))
+    body = body.output("light", on, kind="light", material=bulb)
+    if cloth is None or not cloth.name.startswith(("fabric", "linen", "wicker")):
+        return body
+    red, green, blue = cloth.base_color
+    return body.output(
+        "shade", on, kind="light", material=cloth, color=(0.62 * red, 0.5 * green, 0.34 * blue)
+    )
 
 
 def _rocker(finish: ag.Material, ink: ag.Material) -> Fitting:

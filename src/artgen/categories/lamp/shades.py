@@ -16,7 +16,7 @@ Point = tuple[ag.Scalar, ag.Scalar]  # radius and height of a point of an outlin
 
 SOCKET = 0.042  # length of a socket below its mouth [m]
 
-_LAMP = ag.material("bulb").with_(density=420.0)  # an LED bulb weighs 60 g: thin shell, driver and heat sink
+BULB = ag.material("bulb").with_(density=420.0)  # an LED bulb weighs 60 g: thin shell, driver and heat sink
 _NECK = 0.024  # radius of a metal shade at the opening for its housing [m]
 _HOUSING = 0.0215  # radius of the housing on a metal shade, which holds the socket [m]
 _HOUSING_TOP = 0.030  # height of the housing above the shade [m]
@@ -42,7 +42,7 @@ _HANGS_LOW = (
 def _bulb() -> ag.Body:
     """Make an upright bulb in a socket with its mouth in the plane z = 0: a cone tangent to a ball."""
     neck = ag.frustum(0.0135, 0.02885, 0.0538).at(z=0.0269)
-    return ag.part([ag.sphere(0.030).at(z=0.062), neck], "bulb", _LAMP)
+    return ag.part([ag.sphere(0.030).at(z=0.062), neck], "bulb", BULB)
 
 
 def _holder(finish: ag.Material) -> ag.Body:
