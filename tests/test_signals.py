@@ -26,7 +26,7 @@ KEY = ag.Prismatic("key", axis=ag.Y, limits=(0, 0.003), spring=ag.Spring(preload
 STOP = ag.Prismatic("stop", axis=ag.Y, limits=(0, 0.003), spring=ag.Spring(preload=1.0, force=3.0))
 KNOB = ag.Revolute("knob", axis=ag.Y, limits=(0, 3.0), friction=0.05)
 DOOR = ag.Revolute("door", axis=ag.Z, pivot=(0.2, 0, 0), limits=(0, 1.5), friction=0.05)
-FAN = ag.Revolute("fan", axis=ag.Z, driven="a motor", friction=0.001)
+FAN = ag.Revolute("fan", axis=ag.Z, driven="a motor", friction=0.001, velocity=30.0)
 
 
 def cube(name, x):
@@ -188,10 +188,10 @@ def test_every_file_carries_the_outputs(export, form):
 def test_an_asset_that_was_read_has_the_same_outputs(export):
     loaded = ag.load(export)
     assert loaded.outputs == MACHINE.rounded().outputs
-    off = "0 (while stop is pressed) or (while door > 0.1)"
+    off = "off while stop pressed or door > 0.1"
     assert str(loaded.outputs[1]) == (
-        f"motor (motor): (for 3 s after (while key is pressed), {off}) and "
-        f"(0.5 from (while key is pressed) on, 1 from (the level of knob) on, {off})"
+        f"motor (motor): (3 s after key pressed, {off}) and "
+        f"(0.5 after key pressed, 1 after level of knob, {off})"
     )
 
 
@@ -321,6 +321,8 @@ def test_the_check_finds_outputs_that_do_nothing():
     geared = panel().attach(cube("wheel", 0.7), wheel)
     held = geared.output("held", KNOB > 1, kind="motor", moves=wheel, speed=1.0)
     assert faults(asset_of(held)) == ["output 'held' moves joint 'wheel', which is locked or follows another"]
+    fast = panel().output("fast", KNOB > 1, kind="motor", moves=FAN, speed=-40.0)
+    assert faults(asset_of(fast)) == ["output 'fast' moves joint 'fan' at -40, beyond its velocity of 30"]
 
 
 def test_records_come_back_from_their_data():

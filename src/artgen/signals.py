@@ -126,7 +126,7 @@ def _share(what: str, value: float) -> float:
     return value
 
 
-_COLORS = {"light": (1.0, 0.84, 0.62), "heat": (1.0, 0.13, 0.02)}
+_COLORS = {"light": (1.0, 0.84, 0.62), "heat": (0.6, 0.045, 0.005)}
 """Emission of a warm white lamp and of a heating coil that glows, linear RGB."""
 
 

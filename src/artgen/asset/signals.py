@@ -12,14 +12,15 @@ SignalKind = Literal["level", "pressed", "where", "toggle", "timer", "latest", "
 OutputKind = Literal["light", "heat", "motor", "flow", "display", "sound"]
 
 _PHRASES: Mapping[str, str] = {
-    "level": "the level of {joint}",
-    "pressed": "while {joint} is pressed",
-    "where": "while {condition}",
-    "toggle": "changed by each ({0})",
-    "timer": "for {seconds:g} s after ({0})",
-    "not": "not ({0})",
-    "scaled": "{factor:g} times ({0})",
+    "level": "level of {joint}",
+    "pressed": "{joint} pressed",
+    "where": "{condition}",
+    "toggle": "toggled by {0}",
+    "timer": "{seconds:g} s after {0}",
+    "not": "not {0}",
+    "scaled": "{factor:g} x {0}",
 }
+_LINKED = {"all": " and ", "any": " or "}
 
 
 @dataclass(frozen=True)
@@ -88,15 +89,21 @@ class AssetSignal(Record):
         return changed
 
     def __str__(self) -> str:
-        terms = [str(each) for each in self.terms or ()]
-        if self.kind in ("all", "any"):
-            text = f" {'and' if self.kind == 'all' else 'or'} ".join(f"({each})" for each in terms)
+        plain = [each.kind in _PHRASES and each.unless is None for each in self.terms or ()]
+        terms = [
+            str(each) if bare else f"({each})" for each, bare in zip(self.terms or (), plain, strict=True)
+        ]
+        if self.kind in _LINKED:
+            same = [each.kind == self.kind and each.unless is None for each in self.terms or ()]
+            text = _LINKED[self.kind].join(
+                each[1:-1] if flat else each for each, flat in zip(terms, same, strict=True)
+            )
         elif self.kind == "latest":
             pairs = zip(self.values or (), terms, strict=True)
-            text = ", ".join(f"{value:g} from ({term}) on" for value, term in pairs)
+            text = ", ".join(f"{value:g} after {term}" for value, term in pairs)
         else:
             text = _PHRASES[self.kind].format(*terms, **vars(self))
-        return text if self.unless is None else f"{text}, 0 {self.unless}"
+        return text if self.unless is None else f"{text}, off while {self.unless}"
 
 
 @dataclass(frozen=True)

@@ -20,7 +20,7 @@ def check_outputs(asset: Asset) -> CheckResult:
 
     Returns:
         A fault for each output that has the same value whatever its controls do, or a material that no
-        visible part has, or that moves a joint that is not free.
+        visible part has, or that moves a joint that is not free or not that fast.
     """
     values = used(asset, asset.outputs)
     findings = [
@@ -81,13 +81,22 @@ def _dark(asset: Asset) -> Iterator[Finding]:
 
 
 def _held(asset: Asset) -> Iterator[Finding]:
-    """Yield a fault for each motor of a joint that is not free."""
-    free = {joint.name for joint in asset.free_joints}
-    for output in asset.outputs:
-        if output.joint is not None and output.joint not in free:
+    """Yield a fault for each motor of a joint that is not free, or not that fast."""
+    free = {joint.name: joint for joint in asset.free_joints}
+    for output in (each for each in asset.outputs if each.joint is not None):
+        joint = free.get(output.joint or "")
+        if joint is None:
             yield Finding(
                 "outputs",
                 f"output {output.name!r} moves joint {output.joint!r}, which is locked or follows another",
-                joint=output.joint,
+                joint=output.joint or "",
                 hint="name the joint that leads",
+            )
+        elif abs(output.speed or 0.0) > joint.velocity:
+            yield Finding(
+                "outputs",
+                f"output {output.name!r} moves joint {joint.name!r} at {output.speed:g}, beyond its velocity "
+                f"of {joint.velocity:g}",
+                joint=joint.name,
+                hint="give the joint that velocity",
             )

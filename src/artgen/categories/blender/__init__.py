@@ -13,10 +13,12 @@ of die-cast metal (Smeg BLF01: 397 mm, 6.0 kg). Personal blenders with a cup of 
 """
 
 import math
+from functools import reduce
+from operator import or_
 from typing import Literal
 
 import artgen as ag
-from artgen import details
+from artgen import details, signals
 from artgen.categories.shared import controls, vessels
 from artgen.categories.shared.finish import colors
 from artgen.nodes.fitting import FIT, Fitting
@@ -26,6 +28,7 @@ Style = Literal["jug", "retro", "personal"]
 
 _TURN = 0.52  # of the bayonet [rad]
 _SWEEP = 4.2  # of a dial [rad]
+_FASTEST = 300.0  # speed of the blades, that of a motor under load [rad/s]
 _DIAL = 0.019  # its radius [m]
 _CLEAR = ag.material("polycarbonate").with_(name="jug_clear", opacity=0.28)
 _GLASS = ag.material("glass").with_(name="jug_glass", opacity=0.22)
@@ -110,7 +113,8 @@ def blender(
         if buttons:
             key = _button("round", "power", button_force)
             body = body.install(key, at=(0, face, low))
-        return _seat(body, _cup(neck, jug_height, clear, trim), high)
+        body = _seat(body, _cup(neck, jug_height, clear, trim), high)
+        return body.output("blend", signals.pressed("button_slide"), kind="sound") if buttons else body
     jug_height = ag.require(jug_height, jug_height >= 0.14, "height of a jug must be >= 0.14 m")
     jug = _jug(neck, mouth, jug_height, clear, trim)
     jug = jug.install(_lid(mouth, jug_height, seal, trim, clear))
@@ -131,7 +135,18 @@ def blender(
             step = index - (buttons - 1) / 2
             at = (0.034, face, low - 0.017 * step) if control == "both" else (0.025 * step, face, low)
             body = body.install(_button(button_shape, icon, button_force).suffixed(f"_{index}"), at=at)
-    return _seat(body, jug, high)
+    return _blending(_seat(body, jug, high), control, buttons)
+
+
+def _blending(body: ag.Body, control: Literal["dial", "buttons", "both"], buttons: int) -> ag.Body:
+    """Let the dial and the keys run the blades while the jug is locked."""
+    runs = [signals.level("dial_turn")] if control != "buttons" else []
+    if control != "dial":
+        power, *programs = (signals.pressed(f"button_slide_{index}") for index in range(buttons))
+        runs += [signals.toggle(power), *programs]
+    locked = ~signals.pressed("jug_turn", (0.0, 0.1))
+    speed = reduce(or_, runs) & locked
+    return body.output("blend", speed, kind="motor", moves="blade_spin", speed=_FASTEST)
 
 
 def _button(shape: controls.ButtonShape, icon: str, force: ag.Scalar) -> Fitting:
@@ -296,8 +311,9 @@ def _blade() -> Fitting:
     )
     wings = [wing.rotate(ag.Z, turn * math.pi / 2) for turn in range(4)]
     spin = ag.Revolute(
-        "blade_spin", axis=ag.Z, friction=0.02, damping=1e-4, armature=2e-4, effort=3.0, driven="a motor"
-    )
+        "blade_spin", axis=ag.Z, friction=0.02, damping=1e-4, armature=2e-4, effort=3.0,
+        velocity=_FASTEST, driven="a motor",
+    )  # fmt: skip
     return Fitting.moving(ag.part([hub, *wings], "blade", _STEEL), spin)
 
 

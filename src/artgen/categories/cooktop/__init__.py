@@ -16,7 +16,7 @@ Sizes are those of shops: plates 0.56-0.92 m wide for cut-outs of 0.49 m, 0.50-0
 from typing import Literal
 
 import artgen as ag
-from artgen import details
+from artgen import details, signals
 from artgen.categories.cooktop import case
 from artgen.categories.cooktop import dials as controls
 from artgen.categories.cooktop.case import Trim
@@ -174,7 +174,9 @@ def cooktop(
         coils = [(each.x, each.y, _coil_radius(plan, each.size)) for each in plan.places]
         dish = ag.material("chrome" if bowl == "chrome" else "enamel_black")
         heaters = [
-            cooktops.coil_burner(radius, bowl=dish, turn=0.4 + number).at(x, y, height)
+            cooktops.coil_burner(
+                radius, bowl=dish, coil=cooktops.glowing(burner, number, ink), turn=0.4 + number
+            ).at(x, y, height)
             for number, (x, y, radius) in enumerate(coils)
         ]
         body = ag.weld(body, case.plate_of_coils(place, finish, coils), *heaters)
@@ -208,9 +210,13 @@ def cooktop(
             body = ag.weld(body, zones)
         turn = controls.electric_turn("burner_dial_turn", dial_friction)
         body = body.repeat(knobs.knob("burner_dial"), turn, at=taps)
+    body = cooktops.heated(body, burner, [f"burner_dial_turn_{number}" for number in range(burners)], ink)
     for name, (x, y) in zip(_EXTRAS, plan.dial_places[burners:], strict=False):
         turn = controls.electric_turn(f"{name}_dial_turn", dial_friction)
         body = body.attach(knobs.knob(f"{name}_dial", label="dial"), turn, at=(x, y, 0))
+        # the bell of a timer rings when its dial is back at 0
+        rings = signals.timer(turn < 0.05, 1.0) if name == "timer" else signals.level(turn)
+        body = body.output(name, rings, kind="sound" if name == "timer" else "flow")
     return body.require(
         plan.spaced > 2 * dial_radius + _BETWEEN,
         "dials would touch each other: raise dial_pitch, or lower dial_radius or dials",

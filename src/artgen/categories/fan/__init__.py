@@ -19,7 +19,7 @@ from dataclasses import dataclass
 from typing import Literal
 
 import artgen as ag
-from artgen import details, feel
+from artgen import details, feel, signals
 from artgen.categories.shared import controls
 from artgen.categories.shared.finish import casting, colors
 from artgen.nodes.fitting import FIT, Fitting
@@ -131,7 +131,7 @@ def fan(
     """Make a fan that stands still and looks straight ahead."""
     rotor = (blades, pitch, broad, blade)
     if style == "box":
-        return _box(size, rotor, shell, maker)
+        return _blowing(_box(size, rotor, shell, maker), "dial")
     least = {"desk": 0.2, "pedestal": 0.26, "clip": 0.16}[style]
     size = ag.require(size, size >= least, f"size of a {style} fan must be >= {least:g} m")
     plan = _Head(size / 2)
@@ -146,11 +146,21 @@ def fan(
     turn = ag.Revolute("head_swing", axis=ag.Z, limits=(-swing, swing), feel=_SWING)
     match style:
         case "desk":
-            return _desk(plan, panel, neck, turn, shell)
+            return _blowing(_desk(plan, panel, neck, turn, shell), panel)
         case "pedestal":
-            return _pedestal(plan, rise, foot, neck, turn, shell, maker)
+            return _blowing(_pedestal(plan, rise, foot, neck, turn, shell, maker), panel)
         case _:
-            return _clip(plan, neck, turn, shell)
+            return _blowing(_clip(plan, neck, turn, shell), "dial")
+
+
+def _blowing(body: ag.Body, panel: Panel) -> ag.Body:
+    """Let the keys or the dial set the speed of the motor."""
+    if panel == "dial":
+        speed = signals.level("dial_turn")
+    else:
+        keys = [signals.pressed(f"button_slide_{index}") for index in range(len(_SIGNS))]
+        speed = signals.latest(keys, (0.0, 0.55, 0.78, 1.0))
+    return body.output("blow", speed, kind="motor", moves="blades_spin", speed=_MOTOR.velocity)
 
 
 _RAISED = 0.034  # height of the axis of the tilt above the foot of the neck [m]

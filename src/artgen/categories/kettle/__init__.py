@@ -16,7 +16,7 @@ import math
 from typing import Literal
 
 import artgen as ag
-from artgen import details, feel
+from artgen import details, feel, signals
 from artgen.categories.shared import controls, vessels
 from artgen.categories.shared.finish import colors
 from artgen.nodes.fitting import FIT, Fitting
@@ -94,7 +94,8 @@ def kettle(
     low = _BASE + FIT.running
     lift = ag.Prismatic("jug_lift", axis=ag.Z, limits=(0, 0.15), friction=0.2, damping=2.0, effort=80.0)
     turn = ag.Revolute("jug_turn", axis=ag.Z, friction=0.02, damping=0.01, effort=5.0)
-    return _base(radius, metal).attach(jug, lift, turn, at=(0, 0, low))
+    heats = signals.pressed("switch_turn") & (lift < 0.004)
+    return _base(radius, metal).attach(jug, lift, turn, at=(0, 0, low)).output("heat", heats, kind="heat")
 
 
 def _jug(

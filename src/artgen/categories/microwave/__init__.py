@@ -200,7 +200,7 @@ def microwave(
             name=f"dial{tail}",
         )
         body = body.install(turned, at=(cell.x.mid, y - front.PANE, cell.z.mid))
-    return body.require(
+    return front.cooks(body, keys, dials).require(
         places.dials[0].z.size >= (2 * dial_radius if dials else 0),
         "dials have no room over keys and button: raise height, or lower keys, dials or dial_radius",
     )

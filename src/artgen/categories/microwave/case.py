@@ -9,6 +9,9 @@ from artgen import details, feel
 from artgen.categories.shared.appliances import DARK, filled, mains_cord
 from artgen.categories.shared.fixings import feet, screws
 
+LAMP = ag.material("bulb").with_(name="oven_lamp")
+"""Lens of the lamp in the cavity."""
+
 LAP = 0.0005
 """Overlap of boards, so that no two faces coincide [m]."""
 
@@ -162,9 +165,7 @@ def _interior(plan: Plan, inside: ag.Material) -> list[ag.Body]:
             "wave_guide_cover",
             _MICA,
         ),
-        ag.detail(
-            right(lamp, at, proud=0.0001, sunk=0.0006), "light", ag.material("bulb").with_(name="oven_lamp")
-        ),
+        ag.detail(right(lamp, at, proud=0.0001, sunk=0.0006), "light", LAMP),
         ag.detail(right(holes, at, proud=0.0002), "vent", DARK),
         ag.detail(details.relief(outlet, on_left, facing=ag.X, proud=0.0002), "vent", DARK),
         ag.detail(rib, "cavity", inside),

@@ -1,12 +1,13 @@
 """The front of a microwave oven: the door with its latches, and the control panel."""
 
 from dataclasses import dataclass
-from functools import partial
+from functools import partial, reduce
+from operator import or_
 from typing import Literal, NamedTuple
 
 import artgen as ag
-from artgen import details, feel
-from artgen.categories.microwave.case import BARB, HOOK, LAP, Plan, gaps_between
+from artgen import details, feel, signals
+from artgen.categories.microwave.case import BARB, HOOK, LAMP, LAP, Plan, gaps_between
 from artgen.categories.shared.appliances import filled
 from artgen.categories.shared.controls import (
     PLAY,
@@ -250,6 +251,26 @@ def key_names(count: int) -> tuple[str, ...]:
     if count >= len(_DIGITS):
         return (*_PROGRAMS[: count - len(_DIGITS)], *_DIGITS)
     return (*_PROGRAMS[: count - len(_STARTS)], *_STARTS) if count else ()
+
+
+def cooks(body: ag.Body, keys: int, dials: int) -> ag.Body:
+    """Let keys or the dial of the time start the oven, which works while its door is closed."""
+    pressed = {sign: signals.pressed(f"key_slide_{number}") for number, sign in enumerate(key_names(keys))}
+    opened = signals.pressed("door_hinge", (0.0, 0.03))
+    starts = [each for sign, each in pressed.items() if sign != "stop" and not sign.isdigit()]
+    runs = [signals.timer(each, 30.0, unless=opened | pressed["stop"]) for each in starts]
+    knobs = [f"dial_turn_{number}" for number in range(dials)] if dials > 1 else ["dial_turn"] * dials
+    if dials > 1:
+        runs.append(signals.pressed(knobs[1], (0.0, 0.3)) & ~opened)
+    power = [0.7 * signals.level(knob, (0.0, 4.7)) for number, knob in enumerate(knobs) if number != 1]
+    works = reduce(or_, runs)
+    heats = works & ~reduce(or_, power) if power else works
+    if pressed:
+        body = body.output("beep", reduce(or_, pressed.values()), kind="sound")
+    body = body.output("heat", heats, kind="heat").output(
+        "light", works | opened, kind="light", material=LAMP
+    )
+    return body.output("turntable", works, kind="motor", moves="plate_spin", speed=0.6)
 
 
 Size = tuple[ag.Scalar, ag.Scalar]

@@ -17,6 +17,9 @@ Build = Literal["built_in", "range"]
 BurnerKind = Literal["gas", "radiant", "induction"]
 """Gas flames, radiant heaters under glass, or induction coils under glass."""
 
+LAMP = ag.material("bulb").with_(name="oven_lamp")
+"""Lens of the lamp in the cavity."""
+
 SEAL = 0.006
 """Gap between the inside of the door and the cavity, for the gasket [m]."""
 
@@ -167,7 +170,7 @@ def interior(plan: Plan, enamel: ag.Material, *, convection: bool) -> ag.Body:
     bodies = [
         ag.detail(gasket.at(edge.anchor(y=-1)), "seal", rubber),
         ag.detail(rib, "cavity", enamel),
-        ag.detail(lens, "light", ag.material("bulb").with_(name="oven_lamp")),
+        ag.detail(lens, "light", LAMP),
         ag.detail(
             details.relief(ag.ring(0.031, 0.024), lamp, proud=0.004), "light", ag.material("stainless")
         ),

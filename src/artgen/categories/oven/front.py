@@ -1,11 +1,13 @@
 """The front of an oven: its balanced door, the drawer below it, and the control panel above it."""
 
+from collections.abc import Sequence
 from typing import Literal
 
 import artgen as ag
-from artgen import details, feel
-from artgen.categories.oven.case import LAP, SLAB, UNDER, Plan
-from artgen.categories.shared import controls
+from artgen import details, feel, signals
+from artgen.categories.oven.case import LAMP, LAP, SLAB, UNDER, Plan
+from artgen.categories.oven.racks import TUBE
+from artgen.categories.shared import controls, cooktops
 from artgen.categories.shared.appliances import DARK, filled
 from artgen.categories.shared.finish import casting
 from artgen.categories.shared.pulls import recessed_grip
@@ -290,6 +292,27 @@ def dial_kinds(count: int, burners: int) -> list[tuple[Literal["ticks", "band", 
     if count - burners > 1:
         kinds.append(("icons", "oven" if burners else ""))
     return kinds + [("ticks", "oven" if burners else "thermometer")] * (count - len(kinds))
+
+
+def used(
+    body: ag.Body, burner: cooktops.BurnerKind, kinds: Sequence[tuple[Literal["ticks", "band", "icons"], str]]
+) -> ag.Body:
+    """Let the dials heat burners and the oven; the lamp is on in use and while the door is open."""
+    names = [f"dial_turn_{number}" for number in range(len(kinds))] if len(kinds) > 1 else ["dial_turn"]
+    ends = (0.0, SWEEP)
+    scales = [kind for kind, _ in kinds]
+    body = cooktops.heated(body, burner, names[: scales.count("band")], controls.ink_on(BLACK))
+    opened = signals.pressed("door_hinge", (0.0, 0.03))
+    others = list(zip(scales, names, strict=True))[scales.count("band") :]
+    heats = [signals.level(name, ends) for kind, name in others if kind == "ticks"][:1]
+    chosen = [signals.level(name, (0.0, 0.3)) for kind, name in others if kind == "icons"]
+    if heats:
+        works = heats[0] & chosen[0] if chosen else heats[0]
+        body = body.output("oven", works, kind="heat", material=TUBE)
+    for name in [name for kind, name in others if kind == "ticks"][1:2]:
+        body = body.output("bell", signals.timer(~signals.pressed(name, ends), 1.0), kind="sound")
+    lamp = opened | chosen[0] if chosen else opened
+    return body.output("lamp", lamp, kind="light", material=LAMP)
 
 
 CLICKS = (0, *(_START + (SWEEP - _START) * step / (len(_FUNCTIONS) - 1) for step in range(len(_FUNCTIONS))))

@@ -152,6 +152,10 @@ def apart(plan: Plan, levels: Sequence[int], *, pan: bool) -> ag.Bool | bool:
     return reduce(and_, (high < low - 0.001 for high, low in zip(highs, lows[1:], strict=True)))
 
 
+TUBE = ag.material("black_steel").with_(name="heating_tube", base_color=(0.06, 0.057, 0.055))
+"""Tube of the heating element."""
+
+
 def element(plan: Plan) -> ag.Body:
     """Make the heating element under the ceiling: a tube in meanders, visual only."""
     field = plan.cavity.shrink(x=0.34 * plan.cavity.x.high, y=0.06)
@@ -160,10 +164,9 @@ def element(plan: Plan) -> ag.Body:
         ends = (field.y.low, plan.cavity.y.high if column in (0, 5) else field.y.high)
         points += [(field.x.at(column / 5), y, level) for y in (ends if column % 2 else ends[::-1])]
     path = ag.polyline(points, fillet=0.018)
-    steel = ag.material("black_steel").with_(name="heating_tube", base_color=(0.06, 0.057, 0.055))
     hangers = ag.line((0, 0, 0), ag.Z * 0.016)
     at = [(share * field.x.high, field.y.mid, level) for share in (-1.0, -0.2, 0.6)]
     return ag.weld(
-        ag.detail(details.bent_wires(path, _TUBE, at=_HERE), "element", steel),
+        ag.detail(details.bent_wires(path, _TUBE, at=_HERE), "element", TUBE),
         ag.detail(details.bent_wires(hangers, 0.0014, at=at), "element", ag.material("steel")),
     )

@@ -21,7 +21,7 @@ gasket; UL 250 and IEC 60335-2-24 let a child push a door open from inside with 
 
 from collections.abc import Mapping, Sequence
 from functools import partial, reduce
-from operator import and_
+from operator import and_, or_
 from typing import Literal
 
 import artgen as ag
@@ -330,6 +330,7 @@ def refrigerator(
         body = body.install(drawer)
     for number, (board, cell) in enumerate(plan.fronts):
         body = body.install(outer_drawer(board, cell, number, style, share=drawer_share, pull=drawer_pull))
+    body = _lit(body, rooms, plan.leaves, swings)
     if boxed:
         (leaf,) = plan.leaves
         opened = swings[leaf.name] > leaf.frees(flap)
@@ -340,6 +341,22 @@ def refrigerator(
         cold.spread > 0.085, "shelves and drawers have no room: raise height, or take fewer of them"
     )
     return body.mirror(ag.X) if hand == "right" and layout not in ("french", "side_by_side") else body
+
+
+def _lit(
+    body: ag.Body, rooms: Mapping[str, interior.Room], leaves: Sequence[Leaf], swings: Mapping[str, ag.Joint]
+) -> ag.Body:
+    """Let the lamp of each room shine while a door in front of it is open."""
+    for label, room in rooms.items():
+        opened = [swings[leaf.name] > _AJAR for leaf in leaves if leaf.label == label]
+        if room.lamp is not None:
+            name = "light" if label == "door" else "freezer_light"
+            body = body.output(name, reduce(or_, opened), kind="light", material=room.lamp, color=_COLD)
+    return body
+
+
+_AJAR = 0.06  # turn of a door at which the lamp behind it is on [rad]
+_COLD = (0.86, 0.94, 1.0)  # light of a lamp, linear RGB
 
 
 def _rows(count: int, *, stacked: bool) -> tuple[int, ...]:

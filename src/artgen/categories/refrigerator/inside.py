@@ -45,6 +45,7 @@ class Room(NamedTuple):
     slots: list[Slot]  # spaces of the drawers
     front: ag.Scalar  # position of the front of the drawers along y [m]
     spread: ag.Scalar  # distance from shelf to shelf [m]
+    lamp: ag.Material | None  # lens of its lamp
 
 
 def furnish(
@@ -94,10 +95,12 @@ def furnish(
         if eggs and kind == "glass":
             tray = egg_tray(0.22, 0.098, finish=LINER, columns=4)
             bodies.append(tray.at(cell.x.high - 0.16, shelf_front + 0.075, levels[-1] + 0.0036))
+    lamp = None
     if drawer_height is not None or not drawers:
-        bodies += _climate(cell.with_(y=(shelf_front, cell.y.high), z=(low + 0.02, high)), liner)
+        lamp = ag.material("led_white").with_(name=f"{leaf.label}_lamp")
+        bodies += _climate(cell.with_(y=(shelf_front, cell.y.high), z=(low + 0.02, high)), liner, lamp)
         bodies += _control((cell.x.mid, shelf_front, high - 0.0105), control, show)
-    return Room(bodies, slots, front, spread)
+    return Room(bodies, slots, front, spread, lamp)
 
 
 def _row(
@@ -127,7 +130,7 @@ def _shelves(
     return wire_shelf(space.x.size, space.y.size, finish=trim, at=places)
 
 
-def _climate(room: ag.Region, liner: ag.Material) -> list[ag.Body]:
+def _climate(room: ag.Region, liner: ag.Material, shines: ag.Material) -> list[ag.Body]:
     """Make the light at the ceiling of a cell, and the air duct on its rear."""
     x, high, rear, wide = room.x.mid, room.z.high, room.y.high, 0.34 * room.x.size
     tall = ag.max_(room.z.size - 0.03, 0.02)  # the category reports a lack of space
@@ -142,7 +145,7 @@ def _climate(room: ag.Region, liner: ag.Material) -> list[ag.Body]:
         ag.part(duct, "duct", hollow),
         ag.detail(ag.array(details.relief(slots, proud=0.0002), at=places), "vent", DARK),
         ag.part(housing, "light", hollow),
-        ag.detail(lamp, "light", ag.material("led_white")),
+        ag.detail(lamp, "light", shines),
     ]
 
 

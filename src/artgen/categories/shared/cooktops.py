@@ -6,13 +6,12 @@ View from above: x to the right, y to the back, the origin in the middle of the 
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
-from functools import cache, reduce
+from functools import cache
 from itertools import pairwise
-from operator import or_
 from typing import Literal, get_args
 
 import artgen as ag
-from artgen import details
+from artgen import details, signals
 from artgen._arrays import cached_property
 
 BurnerKind = Literal["gas", "radiant", "coil", "induction"]
@@ -260,7 +259,22 @@ def coil_hole(radius: ag.Scalar) -> ag.Profile:
     return ag.polygon([(math.cos(turn), math.sin(turn)) for turn in corners]).scale(wide)
 
 
-def coil_burner(radius: float, *, bowl: ag.Material, turn: float = 0.0) -> ag.Body:
+def glowing(burner: BurnerKind, number: int, ink: ag.Material) -> ag.Material:
+    """Return the material of the coil or the radiant zone of a burner, which glows alone; `ink` of others."""
+    if burner == "coil":
+        return _ELEMENT.with_(name=f"{_ELEMENT.name}_{number}")
+    return ink.with_(name=f"zone_{number}") if burner == "radiant" else ink
+
+
+def heated(body: ag.Body, burner: BurnerKind, dials: Sequence[str], ink: ag.Material) -> ag.Body:
+    """Let each of several joints heat its burner: the outputs `burner_0`, ..."""
+    for number, dial in enumerate(dials):
+        glows = glowing(burner, number, ink) if burner in ("coil", "radiant") else None
+        body = body.output(f"burner_{number}", signals.level(dial), kind="heat", material=glows)
+    return body
+
+
+def coil_burner(radius: float, *, bowl: ag.Material, coil: ag.Material, turn: float = 0.0) -> ag.Body:
     """Make a coil on three bars in its drip bowl, which reaches 11 mm down into the plate.
 
     The bars carry a pot; the coil, half a millimeter higher, is visual only.
@@ -279,7 +293,7 @@ def coil_burner(radius: float, *, bowl: ag.Material, turn: float = 0.0) -> ag.Bo
     steel = ag.material("stainless").with_(name="coil_bars", specular_roughness=0.4)
     return ag.weld(
         ag.part([*spokes, boss], "burner", steel),
-        ag.detail(_spiral(radius).rotate(ag.Z, turn), "coil", _ELEMENT),
+        ag.detail(_spiral(radius).rotate(ag.Z, turn), "coil", coil),
         ag.detail(dish, "drip_bowl", bowl),
         ag.detail(hole, "drip_bowl", _SOOT),
     )
@@ -340,20 +354,21 @@ def printed_zones(
     share: float,
     style: str = "cross",
 ) -> ag.Body:
-    """Print radiant or induction zones on a glass with its upper face at a height, as one film.
+    """Print radiant or induction zones on a glass with its upper face at a height.
 
     Neighbors keep a gap: a radius is at most a share of the reach of its place.
     """
     films = []
-    for place in places:
+    for number, place in enumerate(places):
         radius = ag.min_(ZONE_RADIUS[place.size], share * place.reach)
         if burner == "radiant":
             film = _radiant_zone(radius, dual=place.size in ("large", "wok"))
         else:
             film = _induction_zone(radius, style)
-        films.append(film.at(place.x, place.y))
-    whole = reduce(or_, films)
-    return details.printed(whole, (0.0, 0.0, top), material=ink, facing=ag.Z, label="zone")
+        at = (place.x, place.y, top)
+        glows = glowing(burner, number, ink)
+        films.append(details.printed(film, at, material=glows, facing=ag.Z, label="zone"))
+    return ag.weld(*films)
 
 
 GrateStyle = Literal["continuous", "single", "diagonal"]

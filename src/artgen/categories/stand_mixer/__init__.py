@@ -20,7 +20,7 @@ import math
 from typing import Literal
 
 import artgen as ag
-from artgen import details, feel
+from artgen import details, feel, signals
 from artgen.categories.shared import controls, vessels
 from artgen.categories.shared.finish import casting, colors
 from artgen.nodes.fitting import FIT, Fitting
@@ -128,7 +128,7 @@ def stand_mixer(
         boss = ag.cylinder(0.028, slim, axis=ag.X, bevel=0.002).at(-slim / 2 - 0.006, back - 0.03, middle)
         body = ag.weld(body, ag.part(boss, "panel", casting(shell)))
         body = body.install(switch, at=(-slim - 0.006, back - 0.03, middle))
-        return _crane(body, radius, height, back, drop, bowl, shell)
+        return _mixing(_crane(body, radius, height, back, drop, bowl, shell))
     head = head.attach(mix, spin, at=(0, 0, seat))
     side = 0.052
     boss = ag.cylinder(0.027, side, axis=ag.X, bevel=0.002).at(-side / 2, back, 0.54 * top)
@@ -150,7 +150,14 @@ def stand_mixer(
         "bowl_lift", axis=ag.Z, limits=(0, 0.034), friction=0.3, damping=2.0, effort=80.0,
         needs=((turn > _TURN - 0.04) & (swing > tilt - 0.05)).beyond(_NEAR - 0.0020),
     )  # fmt: skip
-    return body.attach(_bowl(radius, height, bowl), lift, turn, at=(0, 0, _FLOOR + FIT.running))
+    body = body.attach(_bowl(radius, height, bowl), lift, turn, at=(0, 0, _FLOOR + FIT.running))
+    return _mixing(body, ~signals.pressed("head_tilt", (0.0, 0.1)))
+
+
+def _mixing(body: ag.Body, closed: signals.Signal | None = None) -> ag.Body:
+    """Let the knob set the speed of the beater, with a head that has to be down."""
+    speed = signals.level("knob_turn") if closed is None else signals.level("knob_turn") & closed
+    return body.output("mix", speed, kind="motor", moves="beater_spin", speed=_MOTOR.velocity)
 
 
 def _stand(radius: ag.Scalar, back: ag.Scalar, top: ag.Scalar, shell: ag.Material, *, lifts: bool) -> ag.Body:

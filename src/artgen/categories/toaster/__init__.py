@@ -21,7 +21,7 @@ from artgen import details
 from artgen.categories.shared.controls import ButtonShape, DialStyle, control_knob, dial_print, dial_turn
 from artgen.categories.toaster import finish as looks
 from artgen.categories.toaster import inside
-from artgen.categories.toaster.controls import Layout, Panel, button
+from artgen.categories.toaster.controls import Layout, Panel, button, toasting
 from artgen.categories.toaster.plan import FORMS, BodyStyle, Plan, cord, outside, shell
 from artgen.nodes.fitting import Fitting
 
@@ -198,4 +198,6 @@ def toaster(
         knob = knob_of(mark=looks.ink_on(grip), name=f"knob{tail}")
         turn = dial_turn(f"knob_turn{tail}", friction=knob_friction)
         body = body.install(Fitting.moving(knob, turn, fixed=marks), at=at)
-    return body.require(front.fits, "the controls have no room: raise height or shoulder, or lower buttons")
+    return toasting(body, levers, knobs, buttons).require(
+        front.fits, "the controls have no room: raise height or shoulder, or lower buttons"
+    )

@@ -3,14 +3,16 @@
 The panel is modeled in its final pose and faces -y.
 """
 
+from functools import reduce
+from operator import or_
 from typing import Literal
 
 import artgen as ag
-from artgen import details
+from artgen import details, signals
 from artgen.categories.shared.controls import PLAY, ButtonShape, button_cap, button_plate, button_press
 from artgen.categories.shared.finish import recess
 from artgen.categories.toaster.finish import hollow, ink_on
-from artgen.categories.toaster.inside import ARM
+from artgen.categories.toaster.inside import ARM, OXIDIZED
 from artgen.categories.toaster.plan import Plan
 from artgen.nodes.fitting import Fitting
 
@@ -113,6 +115,25 @@ class Panel:
             at = (self.dials[0][0], self.face, self.field.z.high - 0.010)
             bodies.append(details.printed(name, at, material=ink_on(finish)))
         return ag.weld(*bodies)
+
+
+def toasting(body: ag.Body, levers: int, knobs: int, buttons: int) -> ag.Body:
+    """Let a lever that is down heat its slots, as hot as its knob says; a key cancels, others heat less."""
+    names = [f"button_slide_{number}" for number in range(buttons)] if buttons > 1 else ["button_slide"]
+    keys = [signals.pressed(name) for name in names[:buttons]]
+    heats = []
+    for number in range(levers):
+        heat = signals.pressed("lever_slide" + (("_left", "_right")[number] if levers > 1 else ""))
+        if knobs:  # from half the heat up
+            knob = "knob_turn" + (("_left", "_right")[number] if knobs > 1 else "")
+            heat = heat & ~(0.5 * signals.level(knob, (2.4, -2.4)))
+        heats.append(heat)
+    power = reduce(or_, heats)
+    if keys:
+        power = power & ~keys[0]
+    if len(keys) > 1:
+        power = power & ~signals.latest(keys[1:], (0.5, 0.0, 0.6)[: len(keys) - 1])
+    return body.output("heat", power, kind="heat", material=OXIDIZED)
 
 
 def button(

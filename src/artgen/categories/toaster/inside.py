@@ -22,7 +22,7 @@ _STAINLESS = ag.material("stainless")
 _PRESSED_MICA = ag.material("mdf").with_(  # with air gaps
     name="mica", base_color=(0.36, 0.30, 0.21), specular_roughness=0.4, density=500.0, texture=""
 )
-_OXIDIZED = _STEEL.with_(
+OXIDIZED = _STEEL.with_(
     name="heating_wire", base_color=(0.20, 0.11, 0.08), specular_roughness=0.45, texture=""
 )
 
@@ -63,7 +63,7 @@ def chamber(plan: Plan) -> ag.Body:
     return ag.weld(
         ag.part(ag.union(back, *boards), "chamber", _STAINLESS.with_(name="chamber_steel", density=3500.0)),
         ag.part(ag.union(*_beside(mica, channels)), "heating_element", _PRESSED_MICA),
-        ag.detail(_at_sides(ribbons, plan, _MICA - 0.0007), "heating_element", _OXIDIZED),
+        ag.detail(_at_sides(ribbons, plan, _MICA - 0.0007), "heating_element", OXIDIZED),
         ag.part(_at_sides(rod, plan, _GUIDE), "guide_wire", _STAINLESS),
         ag.detail(_at_sides(wires, plan, _GUIDE), "guide_wire", _STAINLESS),
         ag.detail(
