@@ -74,7 +74,7 @@ class Controller:
 def _level(signal: Data, found: dict[str, Array], *_: Any) -> Array:
     """Return the share of the way of a joint from one end to the other."""
     start, end = signal["ends"]
-    return np.asarray(np.clip((found[signal["joint"]] - start) / (end - start), 0.0, 1.0))
+    return np.asarray(np.clip((found[signal["joint"]] - start) / (end - start), 0.0, 1.0)) + 0.0
 
 
 def _pressed(signal: Data, found: dict[str, Array], _: Array, __: Array, before: Array, ___: float) -> Array:

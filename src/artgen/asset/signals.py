@@ -20,6 +20,7 @@ _PHRASES: Mapping[str, str] = {
     "not": "not {0}",
     "scaled": "{factor:g} x {0}",
 }
+_FAR = 2.0 / 3.0  # level from which a control counts as pressed
 _LINKED = {"all": " and ", "any": " or "}
 
 
@@ -101,6 +102,9 @@ class AssetSignal(Record):
         elif self.kind == "latest":
             pairs = zip(self.values or (), terms, strict=True)
             text = ", ".join(f"{value:g} after {term}" for value, term in pairs)
+        elif self.kind == "pressed" and self.ends is not None and self.ends[0]:
+            start, end = self.ends
+            text = f"{self.joint} beyond {start + _FAR * (end - start):.3g}"
         else:
             text = _PHRASES[self.kind].format(*terms, **vars(self))
         return text if self.unless is None else f"{text}, off while {self.unless}"

@@ -247,4 +247,4 @@ def dishwasher(
             f"rack_slide_{number}", travel=plan.travel, friction=rack_friction, damping=8, needs=needs
         )
         body = body.attach(rack, slide)
-    return body
+    return console.used(body)

@@ -1,11 +1,13 @@
 """The door of a dishwasher: its front with the handle, its console, its liner and the detergent dispenser."""
 
+import functools
 import math
+import operator
 from dataclasses import dataclass
 from typing import Literal
 
 import artgen as ag
-from artgen import details, feel
+from artgen import details, feel, signals
 from artgen._arrays import cached_property
 from artgen.categories.dishwasher.tub import FRONT_RIM, Plan
 from artgen.categories.shared import controls
@@ -214,6 +216,18 @@ class Console:
             level.with_(x=(right, place.x.high)),
         ]
         return [each.box() for each in boards]
+
+    def used(self, body: ag.Body) -> ag.Body:
+        """Let the last button start the machine with a closed door, and the dial set the program."""
+        if self.buttons:
+            *others, start = (signals.pressed(f"button_slide_{n}") for n in range(self.buttons))
+            runs = signals.toggle(start, unless=signals.pressed("door_hinge", (0.0, 0.06)))
+            body = body.output("wash", runs, kind="motor", moves="spray_arm_spin_0", speed=4.0)
+            body = body.output("heat", runs & signals.toggle(others[1]) if others[1:] else runs, kind="heat")
+            body = body.output("beep", functools.reduce(operator.or_, others, start), kind="sound")
+        if self.dial:
+            body = body.output("program", signals.level("knob_turn", (-2.4, 2.4)), kind="display")
+        return body
 
     def body(self, show: str, color: Color, *, travel: ag.Scalar, force: ag.Scalar) -> ag.Body:
         """Make the whole console with the text of its display, and the travel and force of its buttons."""

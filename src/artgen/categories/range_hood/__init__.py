@@ -20,9 +20,19 @@ high with their chimney, 14-27 kg (Bosch DWK87: 20 kg); hoods over islands 0.9-1
 from typing import Literal
 
 import artgen as ag
-from artgen import details
+from artgen import details, signals
 from artgen.categories.range_hood import fronts
-from artgen.categories.range_hood.parts import TAB, Look, Mesh, duct, lamps, name_of, with_filters, with_keys
+from artgen.categories.range_hood.parts import (
+    LAMP,
+    TAB,
+    Look,
+    Mesh,
+    duct,
+    lamps,
+    name_of,
+    with_filters,
+    with_keys,
+)
 from artgen.categories.shared import controls, require_size
 from artgen.categories.shared.appliances import filled
 from artgen.categories.shared.finish import colors
@@ -192,6 +202,8 @@ def _chimney(plan: ag.Region, look: Look, canopy: str, *, island: bool) -> ag.Bo
         ink=controls.ink_on(look.metal),
         plate=look.metal,
     ).suffixed("_0")
-    return ag.weld(
-        hood.install(light, at=(-0.06, front, level)), name_of(look, (-0.36 * plan.x.size, front, level))
-    )
+    hood = hood.install(light, at=(-0.06, front, level))
+    hood = hood.output("fan", signals.level(turn), kind="flow")
+    shines = signals.toggle(signals.pressed("button_slide_0"))
+    hood = hood.output("light", shines, kind="light", material=LAMP)
+    return ag.weld(hood, name_of(look, (-0.36 * plan.x.size, front, level)))

@@ -3,8 +3,8 @@
 import math
 
 import artgen as ag
-from artgen import details, feel
-from artgen.categories.range_hood.parts import Look, duct, lamps, name_of, with_filters, with_keys
+from artgen import details, feel, signals
+from artgen.categories.range_hood.parts import LAMP, Look, duct, lamps, name_of, with_filters, with_keys
 from artgen.categories.shared import controls
 from artgen.categories.shared.appliances import DARK, filled
 from artgen.nodes.fitting import FIT, Fitting
@@ -31,6 +31,8 @@ def cabinet(plan: ag.Region, look: Look, friction: ag.Scalar) -> ag.Body:
     hood = ag.weld(hood, *lamps(spots, low, look.metal), name_of(look, (-0.20, front, level)))
     for number, (x, sign, way) in enumerate(((0.09, "light", 1), (0.25, "fan", -1))):
         hood = hood.install(_slider(look, sign, way).suffixed(f"_{number}"), at=(x, front, level))
+    hood = hood.output("light", signals.level("slider_slide_0"), kind="light", material=LAMP)
+    hood = hood.output("fan", signals.level("slider_slide_1"), kind="flow")
     return _flap(hood, plan, case.y.low, friction, look)
 
 
@@ -124,7 +126,7 @@ def telescopic(plan: ag.Region, look: Look) -> ag.Body:
     slide = ag.Prismatic(
         "visor_slide", axis=-ag.Y, limits=(0, tray.y.size - 0.055), feel=feel.RUNNER, friction=7.0
     )
-    return hood.attach(visor, slide)
+    return hood.attach(visor, slide).output("light", slide > 0.02, kind="light", material=LAMP)
 
 
 def inclined(plan: ag.Region, look: Look, glass: ag.Material, friction: ag.Scalar) -> ag.Body:

@@ -9,7 +9,7 @@ from collections.abc import Sequence
 from typing import Literal, NamedTuple
 
 import artgen as ag
-from artgen import details, feel
+from artgen import details, feel, signals
 from artgen.categories.shared import controls
 from artgen.categories.shared.appliances import DARK, filled
 from artgen.categories.shared.finish import casting
@@ -124,18 +124,21 @@ def _face(plate: ag.Region, mesh: Mesh, metal: ag.Material) -> list[ag.Body]:
     return [details.printed(slot, at, material=DARK, facing=-ag.Z, label="mesh")]
 
 
+LAMP = ag.material("led_white").with_(name="hood_lamp")
+"""Lens of the lamps."""
+
+
 def lamps(
     points: Sequence[tuple[ag.Scalar, ag.Scalar]], level: ag.Scalar, metal: ag.Material
 ) -> list[ag.Body]:
     """Make round lamps in the underside, which are only seen."""
-    glow = ag.material("led_white").with_(name="hood_lamp")
     discs, rings = (
         functools.reduce(operator.or_, [outline.at(-x, y) for x, y in points])
         for outline in (ag.circle(0.024), ag.ring(0.030, 0.024))
     )
     return [
         details.printed(shape, (0, 0, level), material=stuff, facing=-ag.Z, label="lamp")
-        for shape, stuff in ((discs, glow), (rings, metal))
+        for shape, stuff in ((discs, LAMP), (rings, metal))
     ]
 
 
@@ -149,7 +152,12 @@ def with_keys(
             ink=controls.ink_on(look.metal), plate=look.metal,
         )  # fmt: skip
         hood = hood.install(key.suffixed(f"_{number}").at(x, 0, 0), at=at)
-    return hood
+    power, less, more, timer, *light = (signals.pressed(f"button_slide_{number}") for number in range(count))
+    runs = signals.toggle(power) | signals.timer(timer, 300.0)
+    hood = hood.output("fan", runs & ~signals.latest([less, more], [0.6, 0.0]), kind="flow")
+    if not light:
+        return hood
+    return hood.output("light", signals.toggle(light[0]), kind="light", material=LAMP)
 
 
 def name_of(look: Look, at: ag.VectorLike, ink: ag.Material | None = None) -> ag.Body:

@@ -22,7 +22,7 @@ import math
 from typing import Literal
 
 import artgen as ag
-from artgen import details, feel
+from artgen import details, feel, signals
 from artgen.categories.rice_cooker import hinged
 from artgen.categories.rice_cooker.inside import (
     FEET,
@@ -211,7 +211,8 @@ def _lever(body: ag.Body, half: ag.Scalar, look: Look, force: ag.Scalar) -> ag.B
     band = ag.line((half, 0, 0.10), (half, 0, 0.30))
     name = details.wrapped(details.logo(look.maker, 0.008), band, 0.118, material=look.ink)
     body = body.cut(slot.grow(0.001, front=0).box())
-    return ag.weld(body, box.cut(slot.box()), *signs, name).attach(lever, slide)
+    body = ag.weld(body, box.cut(slot.box()), *signs, name).attach(lever, slide)
+    return body.output("cook", signals.pressed(slide), kind="heat")
 
 
 def _pressure(half: ag.Scalar, high: ag.Scalar, look: Look) -> ag.Body:
@@ -316,7 +317,11 @@ def _slow(half: ag.Scalar, high: ag.Scalar, look: Look) -> ag.Body:
     lift = lid_lift()
     crock = _crock(far, high - FLOOR - 0.001, share, lift > _AWAY).at(z=FLOOR + 0.0006)
     crock = crock.attach(lid, lift, at=(0, 0, high + 0.0002))
-    return body.attach(crock, lifts_out(high - FLOOR + 0.015))
+    low, strong, warm = (
+        signals.pressed("dial_turn", (_DIAL * step / 3, _DIAL * (step + 1) / 3)) for step in range(3)
+    )
+    heats = (0.5 * low | strong) & ~warm | 0.2 * warm
+    return body.attach(crock, lifts_out(high - FLOOR + 0.015)).output("cook", heats, kind="heat")
 
 
 def _switch(look: Look) -> Fitting:

@@ -6,7 +6,7 @@ import operator
 from collections.abc import Sequence
 
 import artgen as ag
-from artgen import details
+from artgen import details, signals
 from artgen.categories.rice_cooker.inside import Look
 from artgen.categories.shared import controls
 from artgen.nodes.details.displays import Color
@@ -76,8 +76,12 @@ def with_keys(
         )  # fmt: skip
         key = Fitting.moving(cap, controls.button_press(travel=0.0015)).suffixed(f"_{number}").at(x, 0, z)
         body = body.install(key.rotate(ag.X, -lean), at=at)
+    names = {icon: signals.pressed(f"button_slide_{number}") for number, (icon, _, _) in enumerate(keys)}
+    body = body.output("cook", signals.latest([names["play"], names["stop"]], [1.0, 0.0]), kind="heat")
+    body = body.output("beep", functools.reduce(operator.or_, names.values()), kind="sound")
     if not dial:
         return body
+    body = body.output("time", signals.level("dial_turn", (0.0, math.tau)), kind="display")
     clicks = [math.tau * step / _STEPS for step in range(_STEPS)]
     turn = controls.dial_turn("dial_turn", endless=True, friction=0.01, clicks=clicks, torque=0.02)
     knob = controls.dial(turn, "capped", 0.017, look.grip, depth=0.017, cap=look.trim)

@@ -24,7 +24,7 @@ from artgen import details
 from artgen.categories.shared import controls
 from artgen.categories.shared.appliances import PlainLook, cabinet_finish, fronts, grip_metals
 from artgen.categories.washing_machine import case as parts
-from artgen.categories.washing_machine.works import BEHIND, Porthole, Rim, TopLoader
+from artgen.categories.washing_machine.works import BEHIND, Porthole, Rim, TopLoader, washing
 from artgen.nodes.details.dials import SWEEP
 from artgen.nodes.details.displays import Color
 
@@ -199,7 +199,9 @@ def washing_machine(
             face.rotate(ag.X, -lean).at(0, low + run / 2, height + rise / 2),
         )
         body = body.install(top.basket(0.28, drum_friction, agitator=agitator))
-        return body.install(top.lid(lid_swing, 0.35 * pull, maker))
+        return washing(
+            body.install(top.lid(lid_swing, 0.35 * pull, maker)), "lid_hinge", buttons, dials, dryer=False
+        )
 
     window = _SMOKE if rim == "glass" or dark else _GLASS
     port = Porthole(porthole * width, rim, finish if rim == "solid" else _RINGS[ring], metal, lever=lever)
@@ -224,4 +226,10 @@ def washing_machine(
     body = body.install(drum, at=middle)
     if drawer:
         body = ag.weld(body, parts.drawer(plan, finish, tank=dryer, friction=drawer_friction))
-    return body.install(port.door(window, bowl, swing, pull), at=middle)
+    return washing(
+        body.install(port.door(window, bowl, swing, pull), at=middle),
+        "door_hinge",
+        buttons,
+        dials,
+        dryer=dryer,
+    )

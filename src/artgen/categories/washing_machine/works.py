@@ -1,11 +1,13 @@
 """What moves in a washing machine: porthole door with its handle, drum, lid, basket and agitator."""
 
+import functools
 import math
+import operator
 from itertools import pairwise
 from typing import Literal
 
 import artgen as ag
-from artgen import details, feel
+from artgen import details, feel, signals
 from artgen.categories.shared import controls, vessels
 from artgen.categories.shared.appliances import filled
 from artgen.categories.washing_machine.case import GREY, LAP, SKIN, ZINC
@@ -23,6 +25,7 @@ _THICK = 0.028  # thickness of the ring [m]
 _LIP = 0.006  # thickness of the front wall of the drum [m]
 _BELLOWS = 0.070  # depth of the bellows behind the front [m]
 _MOTOR = feel.Feel(damping=0.02, friction=0.3, armature=0.02, effort=40.0, velocity=12.0)
+_ROUND = (0.0, math.tau)  # a turn of a dial [rad]
 _PULL = feel.Feel(damping=0.02, friction=0.02, armature=2e-4, effort=3.0, velocity=8.0)
 _DOOR = feel.Feel(damping=0.2, effort=30.0, velocity=5.0)
 _LID = feel.Feel(damping=1.2, effort=40.0, velocity=4.0)
@@ -57,6 +60,23 @@ def _drum(radius: ag.Scalar, deep: ag.Scalar, stuff: ag.Material, band: ag.Mater
 
 def _spin(name: str, axis: ag.Vector, friction: ag.Scalar) -> ag.Joint:
     return ag.Revolute(name, axis=axis, friction=friction, feel=_MOTOR, driven="a motor")
+
+
+def washing(body: ag.Body, door: str, buttons: int, dials: int, *, dryer: bool) -> ag.Body:
+    """Let the last key start the drum, which stands behind an open door; the third one spins it fast."""
+    keys = [signals.pressed(f"button_slide_{number}") for number in range(buttons)]
+    runs = signals.toggle(keys[-1], unless=signals.pressed(door, (0.0, 0.06)))
+    hot = signals.toggle(keys[1]) if buttons > 2 else None
+    heats = runs if dryer or hot is None else runs & hot
+    speed = 0.35 * runs
+    if buttons > 3 and not dryer:
+        speed |= runs & signals.toggle(keys[2])
+    body = body.output("drum", speed, kind="motor", moves="drum_spin", speed=_MOTOR.velocity)
+    body = body.output("heat", heats, kind="heat")
+    body = body.output("beep", functools.reduce(operator.or_, keys), kind="sound")
+    for name in [f"dial_turn_{number}" for number in range(dials)] if dials > 1 else ["dial_turn"] * dials:
+        body = body.output(name.replace("dial_turn", "program"), signals.level(name, _ROUND), kind="display")
+    return body
 
 
 class Porthole:
