@@ -13,7 +13,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
-from typing import Any, ClassVar
+from typing import Any, ClassVar, Literal
 
 from artgen._names import NAME_RULE, is_identifier
 from artgen.asset import AssetCondition, AssetOutput, AssetSignal, Tree
@@ -80,12 +80,18 @@ def _signal_where(condition: AssetCondition) -> AssetSignal:
 
 @kernel(spelling="({a} & {b})")
 def _signal_all(a: AssetSignal, b: AssetSignal) -> AssetSignal:
-    return AssetSignal("all", terms=(a, b))
+    return _joined("all", a, b)
 
 
 @kernel(spelling="({a} | {b})")
 def _signal_any(a: AssetSignal, b: AssetSignal) -> AssetSignal:
-    return AssetSignal("any", terms=(a, b))
+    return _joined("any", a, b)
+
+
+def _joined(kind: Literal["all", "any"], *signals: AssetSignal) -> AssetSignal:
+    """Return one flat signal of a chain such as `a | b | c`, so that a hundred keys are no deep tree."""
+    terms = [part for each in signals for part in (each.terms or () if each.kind == kind else (each,))]
+    return AssetSignal(kind, terms=tuple(terms))
 
 
 @kernel(spelling="~{a}")

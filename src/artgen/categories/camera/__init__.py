@@ -21,7 +21,7 @@ import math
 from typing import Literal
 
 import artgen as ag
-from artgen import details, feel
+from artgen import details, feel, signals
 from artgen.categories.camera import reflex as large
 from artgen.categories.camera.reflex import disc, hollow
 from artgen.categories.shared import controls, require_size
@@ -34,9 +34,11 @@ or one on a clip above a screen."""
 
 _BLACK = ag.material("black_abs")
 _GLASS = ag.material("black_glass").with_(name="lens_glass", base_color=(0.012, 0.014, 0.035))
+_FOCUS = ag.material("led_amber").with_(name="focus_lamp", emission=(0.0, 0.0, 0.0))
 _FLASH = ag.material("frosted_glass").with_(name="flash_glass")
 _MOTOR = feel.Feel(friction=0.5, damping=4.0, armature=0.02, effort=8.0)
 _STIFF = feel.Feel(friction=0.05, damping=0.01, armature=5e-5, effort=2.0)
+_SEES = ag.material("led_green").with_(name="led_recording")
 _METALS = ("chrome", "brushed_aluminium", "black_anodised", "satin_nickel")
 _FINISHES = ag.by(
     "style",
@@ -161,9 +163,7 @@ def _compact(
             "flash",
             _FLASH,
         ).at(x.low + 0.026, y.low, z.high - 0.012),
-        ag.detail(disc(0.0022, -0.001, 0.0005), "led", ag.material("led_amber")).at(
-            x.low + 0.010, y.low, z.high - 0.012
-        ),
+        ag.detail(disc(0.0022, -0.001, 0.0005), "led", _FOCUS).at(x.low + 0.010, y.low, z.high - 0.012),
         details.printed(
             details.logo(maker, 0.0022), (x.low + 0.022, y.low, 0.009), material=controls.ink_on(finish)
         ),
@@ -178,7 +178,7 @@ def _compact(
     glass = ag.Region(
         (x.low + 0.030, x.high - 0.006), (y.high - 0.0004, y.high + 0.0005), (0.006, z.high - 0.006)
     )
-    body = ag.weld(body, ag.detail(glass.box(bevel=0.0003), "screen", _GLASS))
+    body = ag.weld(body, ag.detail(glass.box(bevel=0.0003), "screen", large.SCREEN))
     for number in range(keys):
         key = controls.push_button(
             finish=metal,
@@ -192,7 +192,20 @@ def _compact(
         )
         at = (x.low + 0.017, y.high, 0.011 + 0.0175 * number)
         body = body.install(key.rotate(ag.Z, math.pi).suffixed(f"_{number}"), at=at)
-    return body
+    on = signals.toggle(signals.pressed("button_slide_0" if keys else "shutter_slide"))
+    body = large.shows(body, on, range(1, keys))
+    body = body.output("lens_out", on, kind="motor", moves="sleeve_slide", speed=0.02)
+    body = body.output("lens_in", ~on, kind="motor", moves="sleeve_slide", speed=-0.02)
+    taken = signals.pressed("shutter_slide") & on
+    body = body.output("focus", taken, kind="light", material=_FOCUS, color=(1.0, 0.45, 0.04))
+    return _taken(body, taken)
+
+
+def _taken(body: ag.Body, shutter: signals.Signal) -> ag.Body:
+    """Let the shutter click and the flash shine."""
+    body = body.output("shutter", shutter, kind="sound")
+    flash = signals.timer(shutter, 0.1)
+    return body.output("flash", flash, kind="light", material=_FLASH, color=(1.0, 1.0, 1.0))
 
 
 def _telescoped(body: ag.Body, lens: ag.Scalar, at: ag.VectorLike, metal: ag.Material) -> ag.Body:
@@ -255,6 +268,9 @@ def _instant(wide: ag.Scalar, lens: ag.Scalar, stripes: str, finish: ag.Material
         preload=0.5, force=2.5, name="shutter",
     )  # fmt: skip
     body = body.install(shutter, at=(-wide / 2 + 0.018, face, step + 0.016))
+    taken = signals.pressed("shutter_slide")
+    ejected = signals.timer(taken, 2.5, unless=signals.pressed("flap_hinge", (0.0, 0.2)))
+    body = _taken(body, taken).output("ejecting", ejected, kind="motor", moves="photo_slide", speed=0.025)
     return _ejecting(body, bay, slot, finish, maker)
 
 
@@ -361,9 +377,7 @@ def _webcam(wide: ag.Scalar, lens: ag.Scalar, finish: ag.Material, maker: str) -
         ag.part([solid, *lugs], "body", shell, name="head", grasp=hold),
         ag.part(disc(lens, -0.001, 0.0022, 0.0006), "lens", _BLACK).at(center),
         ag.detail(ag.dome(0.6 * lens, height=0.0016, axis=-ag.Y).at(y=-0.0021), "glass", _GLASS).at(center),
-        ag.detail(disc(0.0012, -0.001, 0.0004), "led", ag.material("led_green")).at(
-            center + ag.vector(0.24 * wide, 0, 0.004)
-        ),
+        ag.detail(disc(0.0012, -0.001, 0.0004), "led", _SEES).at(center + ag.vector(0.24 * wide, 0, 0.004)),
         details.printed(
             details.logo(maker, 0.0020),
             (0.31 * wide, room.y.low, room.z.mid - 0.006),
@@ -394,4 +408,6 @@ def _slid(head: ag.Body, lens: ag.Scalar, center: ag.Vector) -> ag.Body:
     slide = ag.Prismatic(
         "slider_slide", axis=ag.X, limits=(0.0, travel), friction=0.6, damping=2.0, armature=0.005, effort=8.0
     )
+    open_ = ~signals.pressed("slider_slide")
+    head = head.output("recording", open_, kind="light", material=_SEES, color=_SEES.emission)
     return ag.weld(head, ag.part(rails, "body", _BLACK).at(center)).attach(slider, slide, at=center)

@@ -7,7 +7,7 @@ import math
 from dataclasses import dataclass
 
 import artgen as ag
-from artgen import details, feel
+from artgen import details, feel, signals
 from artgen.categories.shared import controls, polar, vessels
 from artgen.categories.shared.finish import casting
 from artgen.nodes.fitting import FIT, Fitting
@@ -15,10 +15,12 @@ from artgen.nodes.fitting import FIT, Fitting
 _SIDES = 16  # facets of the solids inside rings
 _RIBS = 48  # ribs of a ring
 _BLACK = ag.material("black_abs")
+_TUBE = ag.material("led_white").with_(name="flash_tube", emission=(0, 0, 0))
 _RING = feel.Feel(friction=0.03, damping=0.004, armature=2e-5, effort=1.0)
 _GLASS = ag.material("black_glass").with_(
     name="coated_glass", base_color=(0.012, 0.014, 0.035), specular_roughness=0.05
 )
+SCREEN = ag.material("black_glass").with_(name="camera_screen", base_color=(0.012, 0.014, 0.035))
 _LEVER = feel.Feel(friction=0.004, damping=0.003, armature=2e-5, effort=0.6)
 _HOLD = feel.Feel(friction=0.02, damping=0.004, armature=5e-5, effort=1.5)
 
@@ -92,7 +94,33 @@ def reflex(look: Look, *, popup: bool, swings: bool, keys: int) -> ag.Body:
     body = _screened(body, room, keys, swings=swings)
     if popup:
         body = _flashed(body, prism)
-    return body
+    return _working(body, keys, popup=popup)
+
+
+def shows(body: ag.Body, on: signals.Signal, menu: range) -> ag.Body:
+    """Let the screen at the back shine, and some keys open its menu."""
+    body = body.output("display", on, kind="display", material=SCREEN, color=(0.14, 0.16, 0.19))
+    if not menu:
+        return body
+    keys = controls.any_pressed(f"button_slide_{number}" for number in menu)
+    return body.output("menu", signals.timer(keys, 10.0) & on, kind="display")
+
+
+def _working(body: ag.Body, keys: int, *, popup: bool) -> ag.Body:
+    """Let the shutter click and flash; keys switch the screen and lift the flash; the dial ends at video."""
+    shutter, live = signals.pressed("shutter_slide"), signals.pressed("mode_dial_turn", (2.25, 3.0))
+    body = body.output("shutter", shutter, kind="sound")
+    if keys:
+        live = live | signals.toggle(signals.pressed("button_slide_0"))
+    body = shows(body, live, range(2 if popup else 1, keys))
+    if not popup:
+        return body
+    flash = signals.timer(shutter, 0.1) & signals.pressed("flash_hinge")
+    body = body.output("flash", flash, kind="light", material=_TUBE, color=(1.0, 1.0, 1.0))
+    if keys < 2:
+        return body
+    up = signals.pressed("button_slide_1")
+    return body.output("rising", up, kind="motor", moves="flash_hinge", speed=6.0)
 
 
 def _hump(room: ag.Region, half: float, *, radius: float, bevel: float) -> ag.Solid:
@@ -132,7 +160,7 @@ def _screened(body: ag.Body, room: ag.Region, keys: int, *, swings: bool) -> ag.
         (z.mid - tall / 2 - 0.003, z.mid + tall / 2 - 0.003),
     )
     face = panel.shrink(x=0.0035, z=0.0035).with_(y=(panel.y.high - 0.0004, panel.y.high + 0.0004))
-    glass = ag.detail(face.box(bevel=0.0003), "screen", _GLASS)
+    glass = ag.detail(face.box(bevel=0.0003), "screen", SCREEN)
     for number in range(keys):
         at = (room.x.low + 0.016, y, z.low + 0.016 + number * 0.019)
         key = controls.push_button(
@@ -150,7 +178,7 @@ def _screened(body: ag.Body, room: ag.Region, keys: int, *, swings: bool) -> ag.
         plate = panel.with_(y=(y - 0.001, y + 0.0022))
         film = face.with_(y=(y + 0.0018, y + 0.0026))
         return ag.weld(
-            body, ag.part(plate.box(bevel=0.0008), "screen", _BLACK), ag.detail(film.box(), "screen", _GLASS)
+            body, ag.part(plate.box(bevel=0.0008), "screen", _BLACK), ag.detail(film.box(), "screen", SCREEN)
         )
     axis = (panel.x.high + 0.0032, panel.y.mid)
     pin = ag.cylinder(0.0028, 0.010).at(*axis)
@@ -193,7 +221,7 @@ def _flashed(body: ag.Body, prism: ag.Region) -> ag.Body:
     ]
     flash = ag.weld(
         ag.part(lid.box(bevel=0.0025), "flash", casting(_BLACK, 0.8), name="flash"),
-        ag.detail(tube.box(), "flash", ag.material("led_white").with_(name="flash_tube", emission=(0, 0, 0))),
+        ag.detail(tube.box(), "flash", _TUBE),
     )
     rise = ag.Revolute(
         "flash_hinge", axis=-ag.X, pivot=pivot, limits=(0.0, 0.7), feel=_LEVER,
@@ -238,6 +266,8 @@ def film(look: Look, leather: ag.Material) -> ag.Body:
     body = _pressed(body, (x.low + 0.0170, y.low + 0.0076, z.high), radius=0.0055)
     body = _dialed(body, (x.low + 0.0385, y.mid + 0.001, z.high), "speed_dial", 0.0090, look.metal, 0.38)
     body = _wound(body, (x.low + 0.0155, y.mid + 0.009, z.high), look.metal)
+    body = body.output("shutter", signals.pressed("shutter_slide"), kind="sound")
+    body = body.output("winding", signals.pressed("lever_turn"), kind="sound")
     body = _rewound(body, (x.high - 0.0135, y.mid, z.high), look.metal)
     return _backed(body, room, skin, leather, door, (cap, shoe))
 

@@ -20,7 +20,7 @@ import math
 from typing import Literal
 
 import artgen as ag
-from artgen import details, feel
+from artgen import details, feel, signals
 from artgen.categories.clock import cases
 from artgen.categories.clock.faces import REACH, Face, Hands, Numerals
 from artgen.categories.shared import controls, require_size, vessels
@@ -363,4 +363,11 @@ def _digital(
     )
     for number, x in enumerate(controls.places(keys, 0.020)):
         body = body.install(key.rotate(ag.Z, math.pi).suffixed(f"_{number}"), at=(x, y.high, 0.55 * high))
-    return body
+    dimmed = signals.toggle(signals.pressed("snooze_slide"))
+    figures = ag.material("display" if color == "cyan" else f"led_{color}")
+    bright = ~dimmed | 0.25 * dimmed
+    body = body.output("display", bright, kind="display", material=figures, color=figures.emission)
+    if not keys:
+        return body
+    beep = controls.any_pressed(f"button_slide_{number}" for number in range(keys))
+    return body.output("beep", beep, kind="sound")

@@ -21,7 +21,7 @@ import math
 from typing import Literal, NamedTuple
 
 import artgen as ag
-from artgen import details, feel
+from artgen import details, feel, signals
 from artgen.categories.shared import controls, vessels
 from artgen.categories.shared.appliances import CLEAR, DARK, cord_stub, filled
 from artgen.categories.shared.finish import casting
@@ -184,7 +184,24 @@ def coffee_machine(
             places = [(0.032 + 0.028 * number - width / 2, height - 0.048) for number in range(len(signs))]
     for number, (sign, (x, z)) in enumerate(zip(signs, places, strict=True)):
         body = body.install(_button(cap, sign, press, trim).suffixed(f"_{number}"), at=(x, room.y.low, z))
-    return body
+    return _brewing(body, style, gauge=gauge)
+
+
+def _brewing(body: ag.Body, style: Style, *, gauge: bool) -> ag.Body:
+    """Let coffee run: into a jug in its place, through a capsule that is locked, or a portafilter."""
+    key = [signals.pressed(f"button_slide_{number}") for number in range(3)]
+    if style == "capsule":
+        opened = signals.pressed("lever_turn", (0.0, 0.1))
+        cups = signals.timer(key[0], 20.0, unless=opened) | signals.timer(key[1], 40.0, unless=opened)
+        return body.output("coffee", cups, kind="flow")
+    on = signals.toggle(key[0])
+    body = body.output("heater", on, kind="heat")
+    if style == "filter":
+        away = signals.pressed("jug_slide", (0.0, 0.02))
+        return body.output("coffee", signals.timer(on, 300.0, unless=~on) & ~away, kind="flow")
+    steam = on if gauge else signals.toggle(key[2], unless=~on)
+    body = body.output("coffee", signals.timer(key[1], 25.0, unless=~on), kind="flow")
+    return body.output("steam", steam & signals.level("steam_turn"), kind="flow")
 
 
 def _button(shape: controls.ButtonShape, icon: str, force: ag.Scalar, trim: ag.Material) -> Fitting:

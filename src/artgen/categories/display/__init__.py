@@ -17,7 +17,7 @@ from dataclasses import dataclass
 from typing import Literal
 
 import artgen as ag
-from artgen import details, feel
+from artgen import details, feel, signals
 from artgen.categories.shared import controls, screens
 from artgen.categories.shared.finish import casting, colors
 from artgen.nodes.fitting import FIT
@@ -161,7 +161,14 @@ def _screen(plan: _Plan, margin: ag.Scalar, picture: str, keys: int) -> ag.Body:
         )
         turned = key.rotate(ag.X, math.pi / 2).suffixed(f"_{number}")
         screen = screen.install(turned, at=(x, _THIN + 0.5 * _BULGE, room.z.low))
-    return screen
+    if not keys:
+        return screen
+    *others, power = [f"button_slide_{number}" for number in range(keys)]
+    on = screens.powered(picture, signals.pressed(power))
+    screen = screens.lit(screen, picture, on)
+    if not others:
+        return screen
+    return screen.output("menu", signals.timer(controls.any_pressed(others), 10.0) & on, kind="display")
 
 
 def _rear(plan: _Plan, room: ag.Region) -> list[ag.Body]:

@@ -198,4 +198,4 @@ def faucet(
     if rod:
         middle = ag.vector(0.0, -reach, board.top)
         body = drain.install(body, middle, stands.ROD_AT + reach, deck_thickness, finish, rod_friction)
-    return body
+    return handles.running(body, pair=bool(mount.valves))

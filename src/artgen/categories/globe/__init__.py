@@ -19,7 +19,7 @@ from collections.abc import Sequence
 from typing import Literal
 
 import artgen as ag
-from artgen import details
+from artgen import details, signals
 from artgen.categories.shared import controls, vessels
 from artgen.nodes.fitting import FIT, Fitting
 
@@ -195,12 +195,13 @@ def _ball(radius: ag.Scalar, scheme: str, style: Style) -> ag.Body:
     solid = ag.sphere(radius)
     hubs = [ag.cylinder(_PIN + 0.002, 0.004).at(z=side * (radius + 0.0002)) for side in (-1, 1)]
     bodies = [ag.part(solid, "ball", water), ag.part(hubs, "pin", ag.material("chrome"))]
-    skin = ag.sphere(radius + _FILM)
+    skin, paints = ag.sphere(radius + _FILM), dict[str, ag.Material]()
     for number, places in enumerate((*_LAND, *_ISLES)):
         color = lands[number % len(lands)]
         shine = tuple(0.35 * channel for channel in color) if lit else (0.0, 0.0, 0.0)
         paint = _INK.with_(name=f"land_{scheme}_{number % len(lands)}", base_color=color, emission=shine,
                            base_metalness=0.9 if scheme == "dark" else 0.0)  # fmt: skip
+        paints[paint.name] = paint
         patch = _cone(places, radius) & skin
         bodies.append(ag.detail(patch, "land", paint))
     ink = _INK.with_(name="globe_lines", base_color=(grey, grey, grey))
@@ -210,7 +211,17 @@ def _ball(radius: ag.Scalar, scheme: str, style: Style) -> ag.Body:
         turn = math.radians(degrees)
         wide = radius * math.cos(turn) + 0.0003
         lines.append(ag.tube(wide, wide - 0.002, 0.0006).at(z=radius * math.sin(turn)))
-    return ag.weld(*bodies, ag.detail(lines, "line", ink))
+    ball = ag.weld(*bodies, ag.detail(lines, "line", ink))
+    return _lit(ball, [water, *paints.values()]) if lit else ball
+
+
+def _lit(ball: ag.Body, maps: Sequence[ag.Material]) -> ag.Body:
+    """Let the button switch the lamp in the ball, which is on at delivery: sea and lands shine."""
+    on = ~signals.toggle(signals.pressed("button_slide"))
+    for number, paint in enumerate(maps):
+        name = f"land_{number - 1}" if number else "light"
+        ball = ball.output(name, on, kind="light", material=paint, color=paint.emission)
+    return ball
 
 
 def _cone(places: Sequence[tuple[float, float]], radius: ag.Scalar) -> ag.Solid:

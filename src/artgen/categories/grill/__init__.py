@@ -20,7 +20,7 @@ their stand, 36-95 kg (Kamado Joe Classic: 85 kg); portable ones 0.56-0.66 m wid
 from typing import Literal
 
 import artgen as ag
-from artgen import details
+from artgen import details, signals
 from artgen.categories.grill import boxes
 from artgen.categories.grill.parts import (
     Look,
@@ -163,6 +163,7 @@ def _vent(look: Look, radius: float) -> Fitting:
         "vent_turn", axis=ag.Z, limits=(0, _SWING), friction=0.12, damping=0.01, armature=1e-4, effort=3.0
     )
     vent = ag.weld(ag.part([tab, disc], "vent", look.metal, name="vent", grasp=hold), film)
+    vent = vent.output("air", signals.level(turn), kind="flow")
     return Fitting.moving(vent, turn, fixed=ag.part(seat, "vent", look.metal, name="vent_seat"))
 
 
@@ -309,4 +310,5 @@ def _damper(body: ag.Body, radius: ag.Scalar, rim: ag.Scalar, look: Look) -> ag.
         "damper_slide", axis=ag.X, limits=(0, 0.060), friction=2.5, damping=4.0, armature=0.02, effort=40.0
     )
     iron = ag.material("powder_coat_black").with_(name="damper_frame", density=3000.0)
-    return ag.weld(body, ag.part([frame, *rails], "damper", iron), hole).attach(door, slide)
+    body = ag.weld(body, ag.part([frame, *rails], "damper", iron), hole).attach(door, slide)
+    return body.output("draught", signals.level(slide), kind="flow")

@@ -3,7 +3,7 @@
 import math
 
 import artgen as ag
-from artgen import details, feel
+from artgen import details, feel, signals
 from artgen.categories.grill.parts import (
     Look,
     bar_on_posts,
@@ -165,6 +165,7 @@ def gas(wide: ag.Scalar, rim: ag.Scalar, burners: int, look: Look) -> ag.Body:
     )
     for number, x in enumerate(controls.places(burners, wide / (burners + 0.6))):
         body = body.install(_knob(number, 0.028, look), at=(x, front.y.low, front.z.mid))
+        body = body.output(f"burner_{number}", signals.level(f"dial_turn_{number}"), kind="heat")
     body = ag.weld(
         body,
         details.printed(
@@ -270,6 +271,7 @@ def portable(wide: ag.Scalar, rim: ag.Scalar, look: Look) -> ag.Body:
         ag.part(_ledges(tub, rim - 0.0442), "body", _BLACK),
     )
     body = body.install(_knob(0, 0.022, look), at=(0, -deep / 2 - 0.030, rim - 0.056))
+    body = body.output("burner_0", signals.level("dial_turn_0"), kind="heat")
     hood = ag.Region((-half, half), (0.002 - deep / 2, deep / 2), (rim + FIT.running, rim + 0.145))
     lid = _lid(hood, look, 165.0, 0.035, 0.30)
     lid = ag.weld(
@@ -336,16 +338,18 @@ def press(wide: ag.Scalar, rim: ag.Scalar, look: Look) -> ag.Body:
         finish=look.metal, through=0.0125, width=0.018, icon="power", ink=controls.ink_on(look.metal)
     )
     body = body.install(button, at=(half - 0.032, base.y.low, 0.060))
-    for x, lamp in ((-0.03, "led_green"), (-0.045, "led_red")):
+    on = signals.toggle(signals.pressed("button_slide"))
+    heats = signals.timer(on, 180.0, unless=~on)
+    body = body.output("heat", on, kind="heat")
+    for x, name, led, lit in ((-0.03, "power", "led_green", on), (-0.045, "heating", "led_red", heats)):
+        lamp = ag.material(led).with_(name=f"lamp_{name}", emission=(0.0, 0.0, 0.0))
         body = ag.weld(
             body,
             details.printed(
-                ag.circle(0.0025),
-                (half - 0.032 + x, base.y.low, 0.060),
-                material=ag.material(lamp),
-                label="lamp",
+                ag.circle(0.0025), (half - 0.032 + x, base.y.low, 0.060), material=lamp, label="lamp"
             ),
         )
+        body = body.output(name, lit, kind="light", material=lamp, color=ag.material(led).emission)
     tray = slot.shrink(0.0015, front=0.010).grow(front=0.0)
     face = ag.Region((-0.108, 0.108), (base.y.low - 0.0150, base.y.low + 0.001), (0.0235, 0.0425)).box(
         bevel=0.002

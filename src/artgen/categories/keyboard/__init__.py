@@ -18,7 +18,7 @@ from dataclasses import dataclass
 from typing import Literal
 
 import artgen as ag
-from artgen import details, feel
+from artgen import details, feel, signals
 from artgen.categories.shared import controls, keypads
 from artgen.categories.shared.finish import colors
 from artgen.nodes.fitting import Fitting
@@ -165,8 +165,11 @@ def keyboard(
         made = _key(each, form, finish, stroke).suffixed(f"_{number}")
         at = (each.x * _U - wide / 2, back - each.y * _U, well.z.low + form.rest)
         body = body.install(made, at=at)
+    typed = controls.any_pressed(f"key_press_{number}" for number in range(len(found)))
+    body = body.output("keys", typed, kind="sound")
     if knob:
         body = body.install(_knob(case, accent), at=(room.x.high - 0.020, room.y.high - 0.014, room.z.high))
+        body = body.output("volume", signals.level("knob_turn", (0.0, math.tau)), kind="sound")
     return body if style in ("macro", "numeric") else _feet(body, room, case)
 
 

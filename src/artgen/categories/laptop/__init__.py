@@ -21,7 +21,7 @@ from dataclasses import dataclass
 from typing import Literal
 
 import artgen as ag
-from artgen import details, feel
+from artgen import details, feel, signals
 from artgen.categories.shared import controls, keypads, screens
 from artgen.categories.shared.finish import colors
 from artgen.nodes.fitting import FIT, Fitting
@@ -163,6 +163,7 @@ def laptop(
         "trackpad_press", axis=-ag.Z, limits=(0, 0.0006), spring=click, feel=feel.SWITCH, effort=6.0
     )
     body = body.attach(ag.part(pad, "trackpad", metal, push=touch, when=opened), press)
+    body = _wired(body, picture, keys, lift)
     if style == "plain":
         body = body.install(_tray(case), at=(width / 2, -0.25 * depth + 0.04, _FEET + 0.0092))
     ears, half = width / 2 - 0.062, width / 2 - 0.030
@@ -174,6 +175,17 @@ def laptop(
     link = ag.hull(*(ag.cylinder(_LID / 2, 2 * ears, axis=ag.X).at(0, axle, z) for z in (low, middle)))
     body = _hung(body, _barrel((ears + FIT.running, half), axle, low, front=_AXLE + 0.003), case)
     return body.attach(ag.part(link, "hinge", _STEEL).attach(_hung(screen, ear, case), lift), roll)
+
+
+def _wired(body: ag.Body, picture: str, keys: str, lift: ag.Joint) -> ag.Body:
+    """Let the open screen shine, which the power key switches; let the trackpad and the keys click."""
+    on = screens.powered(picture, signals.pressed("power_press")) & (lift > 0.15)
+    body = screens.lit(body, picture, on).output("click", signals.pressed("trackpad_press"), kind="sound")
+    if keys == "still":
+        return body
+    rows = range(1, len(_ROWS))
+    typed = [f"key_press_{row}_{column}" for row in rows for column in range(len(_ROWS[row]))]
+    return body.output("keys", controls.any_pressed(typed), kind="sound")
 
 
 def _barrel(x: tuple[ag.Scalar, ag.Scalar], y: ag.Scalar, z: ag.Scalar, **reach: ag.Scalar) -> ag.Solid:

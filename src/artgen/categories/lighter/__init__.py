@@ -23,7 +23,7 @@ from operator import or_
 from typing import Literal
 
 import artgen as ag
-from artgen import details, feel
+from artgen import details, feel, signals
 from artgen.categories.shared import controls, polar, require_size
 from artgen.categories.shared.finish import casting, colors, recess
 
@@ -36,6 +36,8 @@ _OPEN = 2.1  # angle of an open lid [rad]
 _WHEEL = 0.0043  # radius of a striking wheel [m]
 _STEEL = ag.material("stainless")
 _BLACK = ag.material("black_abs")
+_BLUE = (0.08, 0.35, 1.0)  # emission of lamps
+_CHARGE = ag.material("led_blue").with_(name="led_charge", emission=(0.0, 0.0, 0.0))
 _WICK = ag.material("linen").with_(name="wick", base_color=(0.72, 0.68, 0.58), texture="")
 _LID = feel.Feel(friction=0.002, damping=0.003, armature=1e-5, effort=0.1)
 _STRIKE = feel.Feel(friction=0.012, damping=2e-4, armature=1e-6, effort=0.1)
@@ -233,7 +235,14 @@ def _petrol(
         mark,
     )
     wheel, turn = _wheel(at, 0.0062)
+    flame = _struck(turn, unless=hinge < 0.4)
+    body = body.output("flame", flame, kind="heat")
     return body.attach(lid, hinge).attach(wheel, turn).at(_PIVOT / 2)  # in the middle with its hinge
+
+
+def _struck(turn: ag.Joint, *, unless: signals.Signal | ag.Condition) -> signals.Signal:
+    """Return the signal of a flame that a turn of the wheel lights."""
+    return signals.latest([signals.pressed(turn, (0.0, 1.2))], [1.0], unless=unless)
 
 
 def _arc(
@@ -258,15 +267,19 @@ def _arc(
         ag.part(plate, "insert", _BLACK),
         ag.part(posts, "insert", ceramic),
         ag.detail(tips, "nozzle", _STEEL),
-        ag.detail(leds, "led", ag.material("led_blue")),
+        ag.detail(leds, "led", _CHARGE),
         details.engraved(_logo(maker, 0.0026, 0.027), (0, face, 0.20 * split), material=finish),
     )
-    ink = ag.material("led_blue").with_(name="ring_of_light")
+    ink = _CHARGE.with_(name="ring_of_light")
     button = controls.push_button(
         finish=_STEEL, plate=_BLACK, through=0.0042, width=0.0105, proud=0.0022, deep=0.0030, travel=0.0010,
         preload=0.25 * press, force=press, icon="power", ink=ink,
     )  # fmt: skip
     body = body.install(button, at=(0, face, 0.66 * split))
+    opened, pressed = hinge > 0.8, signals.pressed("button_slide")
+    body = body.output("arc", pressed & opened, kind="heat")
+    body = body.output("charge", opened, kind="light", material=_CHARGE, color=_BLUE)
+    body = body.output("ring", pressed, kind="light", material=ink, color=_BLUE)
     return body.attach(lid, hinge).at(_PIVOT / 2)
 
 
@@ -337,6 +350,8 @@ def _gas(
     arm = width / 2 - 0.003
     spring = ag.Spring(preload=0.45 * press * arm, force=press * arm)
     swing = ag.Revolute("lever_press", axis=ag.Y, pivot=pivot, limits=(0, 0.13), spring=spring, feel=_PRESS)
+    gas = signals.pressed(swing)
+    body = body.output("gas", gas, kind="flow").output("flame", _struck(turn, unless=~gas), kind="heat")
     return body.attach(wheel, turn).attach(lever, swing)
 
 
@@ -384,6 +399,7 @@ def _jet(width: ag.Scalar, height: ag.Scalar, press: ag.Scalar, finish: ag.Mater
         ag.detail(knob, "wheel", ag.material("brass")),
         details.engraved(_logo(maker, 0.0026, 0.021), (0.004, -deep / 2, 0.38 * level), material=finish),
     )
+    body = body.output("flame", signals.pressed(slide), kind="heat")
     return body.attach(button, slide).attach(lid, hinge).at(z=0.0002)  # on the knob of its gas
 
 
@@ -455,6 +471,7 @@ def _table(
     lift = ag.Revolute("snuffer_hinge", axis=ag.Y, pivot=axis, follows=4.0 * swing, armature=2e-6)
     insert = insert.attach(lever, swing).attach(snuffer, lift)
     out = ag.Prismatic("insert_lift", axis=ag.Z, limits=(0, 0.050), feel=_LIFT)
+    body = body.output("flame", signals.pressed(swing), kind="heat")
     return body.attach(insert, out).at(z=0.0002)  # on its felt
 
 
@@ -509,4 +526,4 @@ def _stick(
     trigger = ag.part(key.box(bevel=0.0018), "trigger", accent, push=touch)
     spring = ag.Spring(preload=0.35 * press, force=press)
     pull = ag.Prismatic("trigger_slide", axis=ag.Y, limits=(0, travel), spring=spring, feel=_PIEZO)
-    return body.attach(trigger, pull)
+    return body.attach(trigger, pull).output("flame", signals.pressed(pull), kind="heat")

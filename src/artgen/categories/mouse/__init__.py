@@ -19,7 +19,7 @@ from dataclasses import dataclass
 from typing import Literal
 
 import artgen as ag
-from artgen import details, feel
+from artgen import details, feel, signals
 from artgen.categories.shared import controls, polar
 from artgen.categories.shared.finish import casting, colors
 from artgen.nodes.fitting import FIT, Fitting
@@ -180,6 +180,7 @@ def mouse(
     body = _wheel(body, plan, shell, steps)
     for number in range(thumbs):
         body = _thumb(body, plan, shell, number)
+    body = _clicking(body, thumbs)
     body = (
         ag.weld(body, _cable(plan)) if wired else body.install(_receiver(style), at=(0, -length / 2, 0.0148))
     )
@@ -189,6 +190,15 @@ def mouse(
     x, y, z = plan.foot
     body = ag.weld(body.rotate(ag.Y, tilt), *_underside((x, y, z - 0.002), plan))
     return body.at(aside - shell.rotate(ag.Y, tilt).anchor().x, 0.0, 0.0032 - z)
+
+
+def _clicking(body: ag.Body, thumbs: int) -> ag.Body:
+    """Let buttons, wheel and keys for the thumb click."""
+    keys = {"left": "button_left_press", "right": "button_right_press", "middle": "axle_press"}
+    keys |= {name: f"thumb_press_{number}" for number, name in enumerate(("back", "forward")[:thumbs])}
+    for name, joint in keys.items():
+        body = body.output(f"{name}_click", signals.pressed(joint), kind="sound")
+    return body
 
 
 def _housing(plan: _Plan, shell: ag.Solid, maker: str, glow: ag.Material) -> ag.Body:

@@ -24,7 +24,7 @@ from dataclasses import dataclass
 from typing import Literal
 
 import artgen as ag
-from artgen import details, feel
+from artgen import details, feel, signals
 from artgen.categories.shared import controls, keypads, require_size, screens
 from artgen.categories.shared.finish import colors
 from artgen.nodes.details.icons import ICONS
@@ -42,6 +42,7 @@ _TRAVEL = 0.057  # of a slider [m]
 _TILT = 0.16  # of a desk telephone [rad]
 _DIGITS = (("1", "2", "3"), ("4", "5", "6"), ("7", "8", "9"), ("*", "0", "#"))
 _MENU = (("menu", "chevron_up", "return"), ("call", "OK", "end"))
+_END = 5  # number of the key that ends a call, and switches the phone
 _COLORS = {
     "call": ag.colored("silicone", "light_grey").with_(name="key_call", base_color=(0.03, 0.33, 0.09)),
     "end": ag.colored("silicone", "light_grey").with_(name="key_end", base_color=(0.55, 0.03, 0.03)),
@@ -65,6 +66,8 @@ _CASES = ag.by(
     otherwise=ag.choice(*_PLASTICS, weights=(2, 2, 2, 1.5, 2, 1, 3)),
 )
 _KEYS = ag.choice(*colors("silicone", "graphite light_grey white black"), weights=(2, 2, 1, 1))
+_SIGNS = ag.material("led_white").with_(name="screen_signs")
+_LCD = ag.material("abs").with_(name="lcd")  # pane of a liquid crystal
 _PANE = ag.material("black_glass").with_(name="phone_glass", specular_roughness=0.10)
 _SLIDE = feel.Feel(friction=0.4, damping=2.0, armature=0.02, effort=15.0)
 
@@ -253,9 +256,25 @@ def _screen(
     signs = [app.at(0.23 * size[0] * column, -0.38 * size[1]) for column in (-1.5, -0.5, 0.5, 1.5)]
     film = details.printed(
         functools.reduce(operator.or_, signs, clock), (at[0], at[1], at[2] + way * 0.00015),
-        material=ag.material("led_white"), facing=facing, up=up, label="display", proud=0.00012,
+        material=_SIGNS, facing=facing, up=up, label="display", proud=0.00012,
     )  # fmt: skip
     return [glass, *screens.picture_films(plan.picture, size, at, facing=facing, up=up, dock=False), film]
+
+
+def _switched(
+    body: ag.Body, picture: str, on: signals.Signal, keys: int | Sequence[str], sound: str = "tone"
+) -> ag.Body:
+    """Let the screen shine while it is on, and let keys sound: some, or a number of the pad."""
+    body = screens.lit(body, picture, on, dock=False)
+    if picture != "off":
+        body = body.output("display_signs", on, kind="display", material=_SIGNS, color=_SIGNS.emission)
+    return body.output(sound, _pressed(keys), kind="sound")
+
+
+def _pressed(keys: int | Sequence[str]) -> signals.Signal:
+    """Return the signal that a finger presses any of some keys, or of a number of the pad."""
+    names = [f"key_press_{number}" for number in range(keys)] if isinstance(keys, int) else keys
+    return controls.any_pressed(names)
 
 
 def _folded(
@@ -306,6 +325,8 @@ def _flip(plan: _Plan, turn: ag.Scalar) -> ag.Body:
     top = low.y.high - 0.004
     caps = plan.rows((*_MENU, *_DIGITS), top)
     base = plan.pad(top, top - 6 * _ROW, low.z.high, joint > 2.0).install(base, caps)
+    on = screens.powered(plan.picture, signals.pressed(f"key_press_{_END}")) & (joint > 0.4)
+    base = _switched(base, plan.picture, on, len(caps))
     solid = plan.slab(high)
     pane = high.shrink(0.0045, z=0)
     small = (0.024, 0.013)
@@ -345,6 +366,8 @@ def _slider(plan: _Plan) -> ag.Body:
     half = ag.part(solid, "slide", plan.shell, name="slide", grasp=_held(plan, upper, solid))
     caps = plan.rows(_MENU, low + 2 * _ROW)
     half = plan.pad(low + 2 * _ROW, low, upper.z.high, None).install(half, caps, count)
+    on = screens.powered(plan.picture, signals.pressed(f"key_press_{count + _END}"))
+    half = _switched(half, plan.picture, on, count + len(caps))
     pane = upper.shrink(x=0.0035, front=2 * _ROW + 0.008, back=0.010, z=0)
     half = ag.weld(
         half,
@@ -364,7 +387,10 @@ def _bar(plan: _Plan) -> ag.Body:
         plan.slab(room.shrink(0.004, z=0).with_(z=(0, 0.4 * room.z.high)), 0.0012),
     )
     base = ag.part(solid, "base", plan.shell, name="base")
-    base = plan.pad(top, low, room.z.high, None).install(base, plan.rows((*_MENU, *_DIGITS), top))
+    caps = plan.rows((*_MENU, *_DIGITS), top)
+    base = plan.pad(top, low, room.z.high, None).install(base, caps)
+    on = screens.powered(plan.picture, signals.pressed(f"key_press_{_END}"))
+    base = _switched(base, plan.picture, on, len(caps))
     pane = room.shrink(x=0.0045, z=0).with_(y=(top + 0.0035, room.y.high - 0.012))
     slots = functools.reduce(operator.or_, [ag.slot(0.004, 0.0012).at(x) for x in (-0.005, 0, 0.005)])
     grille = details.printed(
@@ -412,15 +438,11 @@ def _smartphone(plan: _Plan, turn: ag.Scalar) -> ag.Body:
             label="bezel",
             proud=0.0003,
         ),
-        details.printed(
-            tools,
-            (0, pane.y.mid - 0.004, face + 0.0003),
-            material=ag.material("led_white"),
-            facing=ag.Z,
-            label="display",
-            proud=0.0001,
-        ),
     )
+    if plan.picture != "off":
+        at = (0, pane.y.mid - 0.004, face + 0.0003)
+        film = details.printed(tools, at, material=_SIGNS, facing=ag.Z, label="display", proud=0.0001)
+        base = ag.weld(base, film)
     for name, y, long in (
         ("power", 0.016, 0.011),
         ("volume_down", -0.004, 0.010),
@@ -436,6 +458,8 @@ def _smartphone(plan: _Plan, turn: ag.Scalar) -> ag.Body:
             cut=hole,
         ).rotate(ag.Z, math.pi / 2)
         base = base.install(fitting, at=(low.x.high, low.y.mid - y, low.z.mid))
+    on = screens.powered(plan.picture, signals.pressed("power_press")) & (joint > 0.4)
+    base = _switched(base, plan.picture, on, ("volume_down_press", "volume_up_press"), "volume")
     solid = plan.slab(high)
     cover = high.shrink(0.0030, z=0).with_(y=(high.y.mid + 0.004, high.y.high - 0.003))
     back = details.printed(
@@ -524,6 +548,10 @@ def _desk_keys(base: ag.Body, plan: _Plan, extra: int) -> ag.Body:
     wide = (3 + extra) * pitch
     hollow = ag.Region((left + 0.001, left + wide - 0.001), (low, top), (face - 0.0055, face))
     base = keypads.Pad(hollow, plan.stroke, plan.finish).install(base, caps)
+    keys, line = _pressed(len(caps)), signals.pressed("handset_lift", (0.0, 0.03))
+    lit = signals.timer(keys | line, 20.0)
+    base = base.output("tone", keys, kind="sound").output("line", line, kind="sound")
+    base = base.output("backlight", lit, kind="display", material=_LCD, color=(0.10, 0.16, 0.11))
     middle = left + wide / 2
     size = (wide - 0.004, 0.030)
     slots = functools.reduce(operator.or_, [ag.slot(0.018, 0.0014).at(0, 0.0032 * n) for n in range(-2, 3)])

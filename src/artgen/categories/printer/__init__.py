@@ -16,7 +16,7 @@ from dataclasses import dataclass
 from typing import Literal
 
 import artgen as ag
-from artgen import details, feel
+from artgen import details, feel, signals
 from artgen.categories.shared import controls, furniture, require_size
 from artgen.categories.shared.finish import colors
 from artgen.nodes.fitting import Fitting
@@ -237,7 +237,7 @@ def _controls(body: ag.Body, plan: _Plan, keys: int, upper: ag.Scalar) -> ag.Bod
                 travel=0.002, icon=icon, ink=controls.LIGHT_INK,
             )  # fmt: skip
             host = host.install(key.suffixed(f"_{number}"), at=(x, y, level))
-        return host
+        return _working(host, keys) if keys else host
 
     if plan.style == "laser":
         return equipped(body, front)
@@ -257,6 +257,19 @@ def _controls(body: ag.Body, plan: _Plan, keys: int, upper: ag.Scalar) -> ag.Bod
         feel=feel.Feel(friction=0.25, damping=0.02, armature=1e-4, effort=6.0),
     )  # fmt: skip
     return body.cut(room.grow(front=0.01).box()).attach(panel, tilt)
+
+
+def _working(host: ag.Body, keys: int) -> ag.Body:
+    """Let the first key switch the display, the second one stop, and the third one copy; each beeps."""
+    key = [signals.pressed(f"button_slide_{number}") for number in range(keys)]
+    figures = ag.material("led_white")
+    off = signals.toggle(key[0])
+    host = host.output("display", ~off, kind="display", material=figures, color=figures.emission)
+    beep = controls.any_pressed(f"button_slide_{number}" for number in range(keys))
+    host = host.output("beep", beep, kind="sound")
+    if keys < 3:
+        return host
+    return host.output("copying", signals.timer(key[2], 8.0, unless=key[1] | off), kind="sound")
 
 
 def _lid(plan: _Plan, *, feeder: bool) -> tuple[ag.Body, ag.Joint]:

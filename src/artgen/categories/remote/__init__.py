@@ -22,7 +22,7 @@ from dataclasses import dataclass, field
 from typing import Literal
 
 import artgen as ag
-from artgen import details, feel
+from artgen import details, feel, signals
 from artgen.categories.shared import controls, keypads, require_size
 from artgen.categories.shared.finish import casting, colors
 from artgen.nodes.details.icons import ICONS
@@ -57,6 +57,7 @@ _HUES = tuple(
     ag.material("silicone").with_(name=f"key_{name}", base_color=rgb)
     for name, rgb in (_INK | {"blue": (0.03, 0.12, 0.50)}).items()
 )
+_LED = ag.material("led_red").with_(name="led_sends", emission=(0.0, 0.0, 0.0))
 _CELL = ag.material("zinc").with_(name="battery_cell", density=2900.0)
 _STEEL = ag.material("stainless")
 _DARKS = (*colors("abs", "graphite slate"), ag.material("black_abs"), ag.material("leather_grain_abs"))
@@ -280,7 +281,14 @@ def remote(
         )
     else:
         body = ag.weld(body, _named(maker, (0, lower - 0.55 * (tail - _END), thick), finish, 0.0034))
+    count = len(rows.caps) + (3 * min(extra, 3) if style == "air" else 0)
+    body = body.output("infrared", _pressed(count), kind="light")
     return body.at(y=-room.y.mid, z=_PRINT)  # it lies on its print
+
+
+def _pressed(count: int) -> signals.Signal:
+    """Return the signal that a finger presses any key."""
+    return controls.any_pressed(f"key_press_{number}" for number in range(count))
 
 
 def _tv_rows(rows: _Rows, extra: int, *, digits: bool) -> None:
@@ -440,11 +448,15 @@ def _fob(
     well = ag.Region((-half, half), (top - pitch * lines, top), (thick - _WELL, thick))
     body = keypads.Pad(well, stroke, rubber if car else finish, corner=0.004).install(body, caps)
     lamp = details.printed(
-        ag.circle(0.0012), (0, top + 0.005, thick), material=ag.material("led_red"), facing=ag.Z, label="led"
+        ag.circle(0.0012), (0, top + 0.005, thick), material=_LED, facing=ag.Z, label="led"
     )
     body = ag.weld(body, lamp, _named(maker, (0, room.y.low + 0.0058, thick), finish, 0.0024))
+    body = body.output("signal", _pressed(count), kind="light", material=_LED, color=(1.0, 0.06, 0.03))
     if car:
         body = _blade(body, room)
+        if count > 2:  # the third key lets the blade out
+            out = signals.pressed("key_press_2")
+            body = body.output("unfolding", out, kind="motor", moves="blade_turn", speed=12.0)
     return _ring(body, room, finish)
 
 

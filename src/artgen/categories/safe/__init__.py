@@ -22,7 +22,7 @@ from dataclasses import dataclass
 from typing import Literal
 
 import artgen as ag
-from artgen import details, feel
+from artgen import details, feel, signals
 from artgen.categories.shared import controls, locks
 from artgen.categories.shared.finish import casting, colors
 from artgen.nodes.fitting import FIT, Fitting
@@ -367,12 +367,21 @@ def _locked(
         slide = ag.Prismatic(
             "tongue_slide", axis=ag.Z, limits=(0, _RISE), feel=_SOLENOID, driven="the solenoid of the keypad"
         )
-        door = door.install(_keypad(code), at=at)
+        door = _coded(door.install(_keypad(code), at=at))
         return door.attach(tongue, slide), slide > 0.97 * _RISE
     most = math.pi / 2 if lock == "key" else _DIAL
     fitting, turn = _key(plan.flange, metal) if lock == "key" else _dial(metal)
     slide = ag.Prismatic("tongue_slide", axis=ag.Z, follows=(_RISE / most) * turn, damping=2.0, friction=0.2)
     return door.install(fitting, at=at).attach(tongue, slide), turn > 0.97 * most
+
+
+def _coded(door: ag.Body) -> ag.Body:
+    """Let keys beep, and let the last one draw the tongue for a time after a figure."""
+    *figures, enter = [f"button_slide_{number}" for number in range(len(_KEYS))]
+    typed = controls.any_pressed(figures)
+    door = door.output("beep", typed | signals.pressed(enter), kind="sound")
+    free = signals.timer(signals.pressed(enter) & signals.timer(typed, 10.0), 5.0)
+    return door.output("unlocking", free, kind="motor", moves="tongue_slide", speed=0.05)
 
 
 def _key(thick: ag.Scalar, metal: ag.Material) -> tuple[Fitting, ag.Joint]:

@@ -13,7 +13,7 @@ from operator import or_
 from typing import Literal
 
 import artgen as ag
-from artgen import details, feel
+from artgen import details, feel, signals
 from artgen._arrays import cached_property
 from artgen.categories.shared import polar
 from artgen.nodes.details.dials import SWEEP
@@ -130,6 +130,11 @@ def button_press(
         damping=damping,
         effort=effort,
     )
+
+
+def any_pressed(names: Iterable[str]) -> signals.Signal:
+    """Return a signal that is 1 while any of these joints is pressed."""
+    return reduce(or_, map(signals.pressed, names))
 
 
 def button_hole(width: ag.Scalar, height: ag.Scalar | None = None, *, through: ag.Scalar = 0.01) -> ag.Solid:

@@ -5,7 +5,7 @@ import operator
 from collections.abc import Iterable
 
 import artgen as ag
-from artgen import details
+from artgen import details, signals
 
 _COLORS = {
     "dusk": ((0.09, 0.08, 0.26), (0.55, 0.24, 0.26)),
@@ -13,6 +13,8 @@ _COLORS = {
     "meadow": ((0.10, 0.26, 0.40), (0.12, 0.30, 0.10)),
 }
 """Colors of the sky and of the hills of each picture."""
+
+_DOCK = {"dock": (0.22, 0.24, 0.28), "icons": (0.75, 0.78, 0.82)}
 
 PICTURES = (*_COLORS, "off")
 """Names of the pictures; the last is a dark screen."""
@@ -65,10 +67,28 @@ def picture_films(
     layers = (
         (whole - land, sky),
         (land - tray, hills),
-        (tray - icons, _glowing("dock", (0.22, 0.24, 0.28))),
-        (icons, _glowing("icons", (0.75, 0.78, 0.82))),
+        (tray - icons, _glowing("dock", _DOCK["dock"])),
+        (icons, _glowing("icons", _DOCK["icons"])),
     )
     return _films(layers, at, facing, up)
+
+
+def powered(picture: str, key: signals.Signal) -> signals.Signal:
+    """Return the signal of a screen that each press of a key switches; its picture is on at delivery."""
+    return signals.toggle(key) if picture == "off" else ~signals.toggle(key)
+
+
+def lit(body: ag.Body, picture: str, on: signals.Signal, *, dock: bool = True) -> ag.Body:
+    """Let a picture shine: an output for each film, `display` for its sky; a dark screen has no film."""
+    if picture == "off":
+        return body.output("display", on, kind="display")
+    sky, hills = _COLORS[picture]
+    films = {f"{picture}_sky": sky, f"{picture}_hills": hills, **(_DOCK if dock else {})}
+    for name, color in films.items():
+        film, part = _glowing(name, color), name.removeprefix(f"{picture}_")
+        output = "display" if part == "sky" else f"display_{part}"
+        body = body.output(output, on, kind="display", material=film, color=film.emission)
+    return body
 
 
 def _films(

@@ -294,7 +294,7 @@ def _tapped(
         body = handles.install_pair(
             body, *pair, flange=True, from_tip=False, lean=0.4 if plan.stand == "wall" else 0.0
         )
-    return body
+    return handles.running(body, pair=bool(stand.valves))
 
 
 def _drained(body: ag.Body, plan: Plan, places: list[ag.Vector], plug: str, middle: ag.Scalar) -> ag.Body:

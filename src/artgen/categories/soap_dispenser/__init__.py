@@ -11,7 +11,7 @@ Sizes are those of bathroom catalogs: 13-21 cm high with the pump, 62-90 mm wide
 from typing import Literal
 
 import artgen as ag
-from artgen import details
+from artgen import details, signals
 from artgen.categories.soap_dispenser import bottles, finish, mounts, pumps
 
 Build = Literal["clear", "ceramic", "plastic", "steel"]
@@ -128,8 +128,10 @@ def soap_dispenser(
         body = ag.weld(body, mounts.tile(1.5 * box_width, wall))
         pressed = mounts.panel(case, press, finish, travel)
         if press == "button":
-            return body.attach(pressed, pumps.slide("button_slide", ag.Y, travel, force, damping))
-        return body.attach(pressed, mounts.lever_hinge(case, swing, force, 0.0025 * damping))
+            moves = pumps.slide("button_slide", ag.Y, travel, force, damping)
+        else:
+            moves = mounts.lever_hinge(case, swing, force, 0.0025 * damping)
+        return body.attach(pressed, moves).output("soap", _dose(moves), kind="flow")
 
     ag.require(
         build != "clear" or shape in _CLEAR,
@@ -159,7 +161,8 @@ def soap_dispenser(
     turn = ag.Revolute(
         "nozzle_turn", axis=ag.Z, friction=turn_friction, damping=0.001, armature=0.00001, effort=0.6
     )
-    body = body.attach(head, turn, pumps.slide("nozzle_slide", -ag.Z, travel, force, damping))
+    stroke = pumps.slide("nozzle_slide", -ag.Z, travel, force, damping)
+    body = body.attach(head, turn, stroke).output("soap", _dose(stroke), kind="flow")
     if style == "bottle":
         return body
     out = ag.max_(width / 2 + 0.016, reach + 0.010)
@@ -168,3 +171,8 @@ def soap_dispenser(
     metal = pump if pump.base_metalness > 0.5 else ag.colored("powder_coat", "black")
     wall_part = ag.weld(mounts.holder(width / 2, out, ring_at, metal), mounts.tile(0.11, wall))
     return ag.weld(body.at(z=mounts.TRAY - 0.0002), wall_part.at(y=out))
+
+
+def _dose(stroke: ag.Joint) -> signals.Signal:
+    """Return the signal of the soap that a stroke of the pump gives."""
+    return signals.timer(signals.pressed(stroke), 0.4)

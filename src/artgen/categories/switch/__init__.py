@@ -17,7 +17,7 @@ from typing import Literal
 import numpy as np
 
 import artgen as ag
-from artgen import details, feel
+from artgen import details, feel, signals
 from artgen.categories.shared import controls, finish
 from artgen.categories.shared.finish import colors
 from artgen.nodes.fitting import FIT, Fitting
@@ -54,6 +54,7 @@ _BOARDS = ag.choice(
 _KEYS = ag.choice(ag.colored("abs", "white"), "black_abs", ag.colored("abs", "cream"), weights=(4, 2, 1))
 _YELLOW = ag.colored("abs", "mustard").with_(name="signal_yellow", base_color=(0.85, 0.62, 0.03))
 _RED = ag.colored("abs", "red").with_(name="signal_red", base_color=(0.62, 0.02, 0.02))
+_GLOW = (1.0, 0.45, 0.04)  # emission of the light in a rocker
 _TOGGLE = feel.Feel(friction=0.004, damping=0.01, armature=1e-5, effort=1.0)
 _ROCKER = feel.Feel(friction=0.004, damping=0.02, armature=1e-5, effort=1.2)
 _STOP = feel.Feel(friction=1.0, damping=60.0, armature=0.05, effort=60.0)
@@ -110,7 +111,30 @@ def switch(
         case _:
             hours = style == "timer"
             body = body.install(_knob(plate, radius, knob, face, key, hours=hours), at=(0, 0, _MIDDLE))
-    return body
+    return _wired(body, style, gangs, marks)
+
+
+def _wired(body: ag.Body, style: Style, gangs: int, marks: str) -> ag.Body:
+    """Let the switch supply a lamp of the room, or a machine that an emergency stop switches off."""
+    match style:
+        case "rocker":
+            for gang in range(gangs):
+                led = _led(gang) if marks == "light" else None
+                on = signals.pressed(f"rocker_tilt_{gang}")
+                body = body.output(f"lamp_{gang}", on, kind="light", material=led, color=_GLOW if led else ())
+            return body
+        case "toggle":
+            return body.output("lamp", signals.pressed("toggle_tilt"), kind="light")
+        case "dimmer":
+            return body.output("lamp", signals.level("knob_turn"), kind="light")
+        case "timer":  # on from the first hour
+            return body.output("lamp", signals.pressed("knob_turn", (0.0, 0.8)), kind="light")
+    return body.output("supply", ~signals.pressed("stop_push"), kind="flow")
+
+
+def _led(gang: int) -> ag.Material:
+    """Return the material of the light in a rocker, dark until it is on."""
+    return ag.material("led_amber").with_(name=f"led_amber_{gang}", emission=(0.0, 0.0, 0.0))
 
 
 def _cover(plate: Plate, face: ag.Material, *, screwed: bool) -> ag.Body:
@@ -156,7 +180,7 @@ def _rockers(
         rocker = ag.part(off, "rocker", key, name="rocker", push=touch)
         if marks != "none":
             sign = details.icon("light", 0.010) if marks == "icon" else ag.circle(0.0016)
-            glow = ag.material("led_amber") if marks == "light" else controls.ink_on(key)
+            glow = _led(gang) if marks == "light" else controls.ink_on(key)
             film = details.printed(
                 sign,
                 (0, -0.0102, 0.0),

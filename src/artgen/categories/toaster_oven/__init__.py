@@ -22,7 +22,7 @@ import math
 from typing import Literal, NamedTuple
 
 import artgen as ag
-from artgen import details, feel
+from artgen import details, feel, signals
 from artgen.categories.shared import controls
 from artgen.categories.shared.appliances import DARK, cord_stub, filled, grip_metals
 from artgen.categories.shared.baskets import rack_slide
@@ -45,6 +45,7 @@ _TRAY = (0.0075, 0.016)  # bottom of the crumb tray above that of the case, and 
 _AXLE = 0.040  # height of the axis of a door above the bottom of the case [m]
 _ROD = 0.0027  # radius of the rods of a rack [m]
 _SWEEP = 4.7  # turn of a dial [rad]
+_FIRST = 0.5  # turn of a dial from off to its first position [rad]
 _FLAT = 0.031  # half of the width of the flat front and back of a round air fryer [m]
 _FUNCTIONS = ("bread", "bagel", "grill", "hot_air", "heat_both", "pizza")
 _LINING = ag.material("steel").with_(
@@ -179,9 +180,8 @@ def _dial(
     made: _Dials, number: int, kind: str, *, count: int = 6, icons: tuple[str, ...] = _FUNCTIONS
 ) -> Fitting:
     """Make a dial with its scale: of functions, of temperatures, or a timer that does not click."""
-    first = 0.5  # from off to the first position [rad]
     steps = len(icons) if kind == "functions" else count
-    clicks = (0.0, *(first + (_SWEEP - first) * step / (steps - 1) for step in range(steps)))
+    clicks = (0.0, *(_FIRST + (_SWEEP - _FIRST) * step / (steps - 1) for step in range(steps)))
     turn = controls.dial_turn(
         f"dial_turn_{number}",
         low=0.0,
@@ -190,14 +190,14 @@ def _dial(
         clicks=clicks if kind != "timer" else (),
         torque=made.torque,
     )
-    sweep = _SWEEP - first
+    sweep = _SWEEP - _FIRST
     if kind == "functions":
-        scale = details.dial_icons(icons, made.radius + 0.0085, 0.0068, sweep=sweep, start=first)
+        scale = details.dial_icons(icons, made.radius + 0.0085, 0.0068, sweep=sweep, start=_FIRST)
         ring = details.printed(scale, material=made.ink)
     else:
         form: controls.DialScale = "numbers" if kind == "numbers" else "ticks"
         ring = controls.dial_print(
-            made.radius, ink=made.ink, style=form, count=count, sweep=sweep, start=first, height=0.0036
+            made.radius, ink=made.ink, style=form, count=count, sweep=sweep, start=_FIRST, height=0.0036
         )
     return controls.dial(
         turn,
@@ -285,7 +285,14 @@ def _oven(
     )
     body = body.attach(_rack(grid, level), slide)
     out = ag.min_(0.62 * tray.y.size, leaf.z.size - 0.072)  # up to the handle of the open door [m]
-    return body.install(_crumb_tray(tray, made.knob, out))
+    runs = _turned(2) if dials == 3 else _turned(2) | _turned(3)  # for the minutes of toast, or of the timer
+    heat = signals.level("dial_turn_0") & _turned(1) & runs
+    return body.install(_crumb_tray(tray, made.knob, out)).output("heat", heat, kind="heat", material=_TUBE)
+
+
+def _turned(number: int) -> signals.Signal:
+    """Return the signal that a dial is not at its off."""
+    return signals.pressed(f"dial_turn_{number}", (0.0, _FIRST))
 
 
 def _vents(room: ag.Region) -> ag.Body:
@@ -426,9 +433,12 @@ def _fryer(
             dial, facing = dial.rotate(ag.X, -math.pi / 2), ag.Z
         body = body.install(dial, at=place)
         body = ag.weld(body, details.printed(mark, place, facing=facing, material=made.ink))
-    for each, suffix in zip(bays, ("_left", "_right") if dual else ("",), strict=True):
+    for number, (each, suffix) in enumerate(zip(bays, ("_left", "_right") if dual else ("",), strict=True)):
         drawer = _drawer(each, finish, made, pull, _Bow(front, soft) if rounded else None)
         body = body.install(drawer.suffixed(suffix) if suffix else drawer)
+        heat = signals.level(f"dial_turn_{2 * number}") & _turned(2 * number + 1)
+        closed = ~signals.pressed(f"drawer_slide{suffix}", (0.0, 0.03))
+        body = body.output(f"heat{suffix}", heat & closed, kind="heat")
     return body
 
 

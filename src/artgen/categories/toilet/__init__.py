@@ -18,7 +18,7 @@ from dataclasses import dataclass
 from typing import Literal
 
 import artgen as ag
-from artgen import details, feel
+from artgen import details, feel, signals
 from artgen.categories.shared import controls, sanitary
 from artgen.categories.shared.finish import casting
 from artgen.nodes.fitting import FIT, Fitting
@@ -159,7 +159,20 @@ def toilet(
     rise = ag.Revolute(
         "seat_hinge", axis=-ag.X, limits=(0, top), feel=hinge, needs=lift > top, closing=brakes[1]
     )
-    return body.attach(lid, lift, at=place).attach(ring, rise, at=place)
+    return (
+        _flushed(body, "keys" if style == "hung" else flush)
+        .attach(lid, lift, at=place)
+        .attach(ring, rise, at=place)
+    )
+
+
+def _flushed(body: ag.Body, flush: Flush) -> ag.Body:
+    """Let water run when a lever or a key is used: 3 l for a half flush, else 6 l."""
+    name = "flush_turn" if flush == "lever" else "flush_slide_full" if flush == "keys" else "flush_slide"
+    water = signals.timer(signals.pressed(name), 5.0)
+    if flush == "keys":
+        water = water | signals.timer(signals.pressed("flush_slide_half"), 2.5)
+    return body.output("flush", water, kind="flow")
 
 
 def _bowl(plan: _Plan) -> ag.Body:

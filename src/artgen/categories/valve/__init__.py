@@ -22,7 +22,7 @@ import math
 from typing import Literal
 
 import artgen as ag
-from artgen import details, feel
+from artgen import details, feel, signals
 from artgen.categories.shared import controls, finish
 from artgen.categories.shared.finish import colors
 from artgen.nodes.fitting import FIT
@@ -93,15 +93,21 @@ def valve(
     ag.require(dn in sizes, f"style={style} is made for dn={' or '.join(map(str, sizes))}: set dn or style")
     match style:
         case "ball":
-            return _ball(dn, grip, torque, metal, color, maker)
+            body = _ball(dn, grip, torque, metal, color, maker)
         case "gate":
-            return _gate(dn, spokes, torque, metal, color, maker)
+            body = _gate(dn, spokes, torque, metal, color, maker)
         case "globe":
-            return _globe(dn, spokes, torque, metal, color, maker)
+            body = _globe(dn, spokes, torque, metal, color, maker)
         case "butterfly":
-            return _butterfly(dn, torque, metal, color, maker)
+            body = _butterfly(dn, torque, metal, color, maker)
         case _:
-            return _panel(dn, knobs, torque, metal, color, maker)
+            body = _panel(dn, knobs, torque, metal, color, maker)
+            for number in range(knobs):
+                flow = signals.level(f"knob_turn_{number}")
+                body = body.output(f"flow_{number}", flow, kind="flow")
+            return body
+    turned = "wheel_turn" if style in ("gate", "globe") else "lever_turn"
+    return body.output("flow", signals.level(turned), kind="flow")
 
 
 def _cast(paint: ag.Material, share: float) -> ag.Material:

@@ -8,7 +8,7 @@ from collections.abc import Sequence
 from typing import Literal
 
 import artgen as ag
-from artgen import details, feel
+from artgen import details, feel, signals
 from artgen.categories.shared import polar
 from artgen.categories.shared.finish import casting
 from artgen.categories.shared.taps.stands import post
@@ -129,6 +129,20 @@ def _handle(
 def _lobed() -> ag.Profile:
     """Make the outline of a knob with eight lobes."""
     return polar([0.0217 + 0.0011 * math.cos(8 * math.tau * step / 64) for step in range(64)])
+
+
+def running(body: ag.Body, *, pair: bool) -> ag.Body:
+    """Let hot and cold water run as a pair of handles opens, or as the lever of a mixer is lifted.
+
+    Turned to a side, the lever closes the other water.
+    """
+    if pair:
+        hot, cold = signals.level("handle_turn_left"), signals.level("handle_turn_right")
+    else:
+        lift = signals.level("handle_lift")
+        hot = lift & signals.level("handle_turn", (_TURN, 0.0))
+        cold = lift & signals.level("handle_turn", (-_TURN, 0.0))
+    return body.output("hot", hot, kind="flow").output("cold", cold, kind="flow")
 
 
 def mixer(
