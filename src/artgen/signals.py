@@ -149,9 +149,9 @@ def _output(
 ) -> Tree:
     if not is_identifier(name):
         raise ValueError(f"output name {name!r} is not allowed; use {NAME_RULE}")
-    if color and (material is None or len(color) != 3 or min(color) < 0.0):
+    if color and (material is None or len(color) != 3 or not all(0.0 <= each <= 1.0 for each in color)):
         raise ValueError(
-            f"output {name!r}: a material shines in a color of three numbers of at least 0: "
+            f"output {name!r}: a material shines in a color of three numbers from 0 to 1: "
             "material=bulb, color=(1.0, 0.85, 0.6)"
         )
     if (joint is not None, speed is not None) != ((kind == "motor"),) * 2:

@@ -372,7 +372,7 @@ class Asset:
         if not values:
             return self
         repainted = {
-            each: each.with_(emission=tuple(map(float, shines[each.name])))
+            each: each.with_(emission=tuple(np.minimum(shines[each.name], 1.0).tolist()))
             for each in self.materials
             if each.name in shines
         }

@@ -21,6 +21,7 @@ _PHRASES: Mapping[str, str] = {
     "scaled": "{factor:g} x {0}",
 }
 _FAR = 2.0 / 3.0  # level from which a control counts as pressed
+_MOST = 4  # controls that are named
 _LINKED = {"all": " and ", "any": " or "}
 
 
@@ -94,7 +95,10 @@ class AssetSignal(Record):
         terms = [
             str(each) if bare else f"({each})" for each, bare in zip(self.terms or (), plain, strict=True)
         ]
-        if self.kind in _LINKED:
+        pressed = [each.joint for each in self.terms or () if each.kind == "pressed"]
+        if self.kind == "any" and len(pressed) == len(terms) > _MOST:
+            text = f"any of {len(terms)} controls pressed: {pressed[0]} to {pressed[-1]}"
+        elif self.kind in _LINKED:
             same = [each.kind == self.kind and each.unless is None for each in self.terms or ()]
             text = _LINKED[self.kind].join(
                 each[1:-1] if flat else each for each, flat in zip(terms, same, strict=True)

@@ -577,7 +577,8 @@ class _Painter:
         scatter = np.where(share > 0.0, 1.0 - share * (1.0 - haze * opacity), opacity)
         light = self.world.light_at(points.triangle, points.u, points.v)
         passed = (1.0 - fresnel) * (1.0 - scatter) * np.where(share > 0.0, np.sqrt(color), 1.0)
-        return passed, fresnel * bright + (1.0 - fresnel) * scatter * color * light
+        shines = np.float32(_GLOW) * self.table["emission"][number].T
+        return passed, fresnel * bright + (1.0 - fresnel) * scatter * color * light + shines
 
     def _smoothed(
         self, points: _Points, pixel: NDArray[Any], shape: tuple[int, int], light: Floats, mirror: Floats
