@@ -107,3 +107,15 @@ def test_an_action_goes_straight_and_at_most_at_full_speed():
     assert action == pytest.approx([0.6, 0.8, 0.0, 0.0, 0.0, 0.0, -1.0])
     aim[:3, 3] = [0.0, 0.0, 0.01]
     assert action_towards(tip, aim, -1.0) == pytest.approx([0.0, 0.0, 0.2, 0.0, 0.0, 0.0, 1.0])
+
+
+@pytest.mark.parametrize(("task", "output"), [("PressLampButton", "light"), ("TurnStoveKnob", "burner")])
+def test_what_a_hand_does_has_its_effect(task, output):
+    env = ManipulationEnv(TASKS[task], assets=range(4))
+    _, info = env.reset(seed=1)
+    assert set(info["outputs"].values()) == {0.0}
+    info = played(env, ScriptedPolicy(env).action)
+    assert info["success"]
+    seen = {name: value for name, value in info["outputs"].items() if name.startswith(output)}
+    assert max(seen.values()) > 0.1
+    assert sum(value > 0.05 for value in seen.values()) == 1  # no other burner

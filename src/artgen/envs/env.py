@@ -139,6 +139,7 @@ class ManipulationEnv(gymnasium.Env[Any, NDArray[np.float32]]):
         self._step, self._succeeded = 0, False
         self._done = [False] * len(self._target.stages)
         self._progress = [0.0] * len(self._target.stages)
+        self._controller = self.asset.controller()
         self._update_progress()
         return self._observation(), self._info()
 
@@ -313,13 +314,15 @@ class ManipulationEnv(gymnasium.Env[Any, NDArray[np.float32]]):
         )
 
     def _update_progress(self) -> None:
-        """Update the progress of the stages; a stage can be done only after the earlier ones."""
+        """Update the outputs and the progress of the stages; one can be done only after the earlier ones."""
         before = True
         for number, stage in enumerate(self.target.stages):
             position = self.scene.q(stage.joint)
             self._progress[number] = stage.progress(position)
             now = bool(stage.reached(position)) or (self._done[number] and not stage.holds)
             before = self._done[number] = before and now
+        found = self._controller.step([self.scene.q(name) for name in self._controller.dofs], 1.0 / RATE)
+        self._outputs = {name: float(value[0]) for name, value in found.items()}
         affordance = self._stage()[1].affordance
         self._handle = np.asarray(self.scene.pose(affordance.link) @ tip_of(affordance))
 
@@ -340,6 +343,7 @@ class ManipulationEnv(gymnasium.Env[Any, NDArray[np.float32]]):
             "success": all(self._done),
             "reached": list(self._done),
             "progress": list(self._progress),
+            "outputs": dict(self._outputs),
             "asset": self.asset.name,
             "seed": self.asset.seed,
         }
