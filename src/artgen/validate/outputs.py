@@ -20,7 +20,7 @@ def check_outputs(asset: Asset) -> CheckResult:
 
     Returns:
         A fault for each output that has the same value whatever its controls do, or a material that no
-        visible part has, or that moves a joint that is not free or not that fast.
+        part has, or that moves a joint that is not free or not that fast.
     """
     values = used(asset, asset.outputs)
     findings = [
@@ -69,8 +69,8 @@ def _listed(output: AssetOutput) -> str:
 
 
 def _dark(asset: Asset) -> Iterator[Finding]:
-    """Yield a fault for each material of an output that no visible part has."""
-    seen = {surface.material.name for link in asset.links for surface in link.surfaces}
+    """Yield a fault for each material of an output that no part has."""
+    seen = {each.name for each in asset.materials}
     for output in asset.outputs:
         if output.material is not None and output.material not in seen:
             yield Finding(
