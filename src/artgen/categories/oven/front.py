@@ -298,7 +298,11 @@ def used(
     body: ag.Body, burner: cooktops.BurnerKind, kinds: Sequence[tuple[Literal["ticks", "band", "icons"], str]]
 ) -> ag.Body:
     """Let the dials heat burners and the oven; the lamp is on in use and while the door is open."""
-    names = [f"dial_turn_{number}" for number in range(len(kinds))] if len(kinds) > 1 else ["dial_turn"]
+    names = (
+        [f"dial_turn_{number}" for number in range(len(kinds))]
+        if len(kinds) > 1
+        else ["dial_turn"] * len(kinds)
+    )
     ends = (0.0, SWEEP)
     scales = [kind for kind, _ in kinds]
     body = cooktops.heated(body, burner, names[: scales.count("band")], controls.ink_on(BLACK))
