@@ -310,7 +310,7 @@ def lamp(
     foot = mouth - shades.SOCKET
 
     # the mass of the base keeps the lamp stable with its arms stretched out; the cord leaves at the back
-    switched = None if switch == "pull_chain" else electrics.switch(switch, dark, ink)
+    switched = None if switch == "pull_chain" else electrics.switch(switch, dark, ink, on=switch_on)
     on_cord = switched if switch_on == "cord" else None
     top: ag.Scalar = base_height
     if style == "tripod":

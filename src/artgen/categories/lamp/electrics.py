@@ -44,8 +44,9 @@ _SNAP = feel.Feel(friction=0.02, damping=0.002, armature=0.00001, effort=0.15)
 _CHAIN = feel.Feel(damping=2.0, friction=0.2, armature=0.02, effort=20.0)
 
 
-def switch(kind: SwitchKind, finish: ag.Material, ink: ag.Material) -> Fitting:
+def switch(kind: SwitchKind, finish: ag.Material, ink: ag.Material, *, on: str) -> Fitting:
     """Make a switch in an upward-facing face: the link `button`, `rocker` or `dial` with its joint."""
+    ag.require(on != "socket", "a switch in the socket has a chain: switch must be pull_chain")
     if kind == "rocker":
         return _rocker(finish, ink)
     if kind == "button":
@@ -75,6 +76,8 @@ def lit(
     cloth: ag.Material | None = None,
 ) -> ag.Body:
     """Let the switch of a lamp light its bulb, and a shade of cloth around it; a dial dims them."""
+    chained = "only a lamp with a shade on a harp has a pull chain: switch must be button, rocker or dial"
+    ag.require(kind != "pull_chain" or cloth is not None, chained)
     if kind == "dial":
         on = signals.level("switch_turn", (0.0, 4.7))
     elif kind == "rocker":

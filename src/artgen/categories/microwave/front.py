@@ -260,9 +260,13 @@ def cooks(body: ag.Body, keys: int, dials: int) -> ag.Body:
     starts = [each for sign, each in pressed.items() if sign != "stop" and not sign.isdigit()]
     runs = [signals.timer(each, 30.0, unless=opened | pressed["stop"]) for each in starts]
     knobs = [f"dial_turn_{number}" for number in range(dials)] if dials > 1 else ["dial_turn"] * dials
-    if dials > 1:
-        runs.append(signals.pressed(knobs[1], (0.0, 0.3)) & ~opened)
-    power = [0.7 * signals.level(knob, (0.0, 4.7)) for number, knob in enumerate(knobs) if number != 1]
+    if knobs[1:] or not runs:  # the dial of the time
+        runs += [signals.pressed(knob, (0.0, 0.3)) & ~opened for knob in (knobs[1:] or knobs)[:1]]
+    if not runs:
+        return body.output("light", opened, kind="light", material=LAMP)
+    power = [
+        0.7 * signals.level(knob, (0.0, 4.7)) for number, knob in enumerate(knobs) if number != (dials > 1)
+    ]
     works = reduce(or_, runs)
     heats = works & ~reduce(or_, power) if power else works
     if pressed:

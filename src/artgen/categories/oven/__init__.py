@@ -262,4 +262,4 @@ def oven(
             turn, dial_style, dial_radius, knob, depth=0.022, cap=metal, scale=scale, name=f"dial{tail}"
         )
         body = body.install(turned, at=(x, outside.y.low - proud, plan.panel.z.mid))
-    return front.used(body, burner, kinds)
+    return front.used(body, burner if burners else "gas", kinds)

@@ -456,7 +456,7 @@ def _fob(
         body = _blade(body, room)
         if count > 2:  # the third key lets the blade out
             out = signals.pressed("key_press_2")
-            body = body.output("unfolding", out, kind="motor", moves="blade_turn", speed=12.0)
+            body = body.output("unfolding", out, kind="motor", moves="blade_turn", speed=8.0)
     return _ring(body, room, finish)
 
 

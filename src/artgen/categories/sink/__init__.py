@@ -76,7 +76,7 @@ _WHITE = ag.material("polypropylene").with_(name="trap_white", base_color=(0.75,
 @ag.category(
     labels="bowl rim drainer worktop cabinet foot wall tile pedestal drain trap basket plug knob escutcheon "
     "body valve collar handle index spout aerator spray_head hose guide lift_rod strap pivot_rod print "
-    "door hinge bumper screw",
+    "door glass hinge bumper screw",
     joints=(4, 9),
 )
 def sink(
