@@ -125,9 +125,9 @@ EARLIER = (
     "of 28 November 2026, the others of 27 November. "
     "A run of 1 December 2026 read seed 0 of all 60 categories, before their products had outputs, by all "
     "clients of the processor but gltf_validator, mjx, MuJoCo Warp, Newton, Genesis and mani_skill, and of "
-    "20 of them by ovphysx: 1,695 of 1,700 passed. The others: the keyboard in pybullet and, within 120 s, in "
-    "drake_urdf; the loaded catch of a range hood and the dial of a syringe in sapien; the folding chair, a "
-    "closed chain, in robosuite."
+    "20 of them by ovphysx: 1,695 of 1,700 passed. The others: the keyboard in pybullet and, within 120 s, "
+    "in drake_urdf; the loaded catch of a range hood and the dial of a syringe in sapien; the folding "
+    "chair, a closed chain, in robosuite."
 )
 """Results that this run does not repeat."""
 
