@@ -304,6 +304,45 @@ def test_wrong_outputs_of_an_author(made, message):
     assert message in str(caught.value)
 
 
+@pytest.mark.parametrize(
+    ("data", "message"),
+    [
+        ({"kind": "level"}, "a signal of the kind 'level' has no joint"),
+        ({"kind": "timer", "terms": [{"kind": "level", "joint": "a"}]}, "of the kind 'timer' has no seconds"),
+        ({"kind": "toggle", "terms": []}, "a signal of the kind 'toggle' cannot have 0 terms"),
+        ({"kind": "not", "terms": [{"kind": "level", "joint": "a"}] * 2}, "'not' cannot have 2 terms"),
+        (
+            {"kind": "latest", "terms": [{"kind": "level", "joint": "a"}], "values": []},
+            "1 terms and 0 values",
+        ),
+        ({"kind": "glow"}, "kind is 'glow', but it must be one of"),
+    ],
+)
+def test_signals_of_files_are_checked(data, message):
+    with pytest.raises(AssetError) as caught:
+        AssetSignal.from_data(data)
+    assert message in str(caught.value)
+
+
+@pytest.mark.parametrize("worlds", [0, -1, 1.5, "2", True])
+def test_a_wrong_number_of_worlds_is_refused(worlds):
+    with pytest.raises(AssetError, match="number of worlds must be a whole number of at least 1"):
+        MACHINE.controller(worlds)
+
+
+def test_positions_of_another_shape_are_refused():
+    controller = MACHINE.controller(3)
+    with pytest.raises(
+        ValueError, match=r"positions have the shape \(3, 5\), by key, stop, .*; got \(4, 5\)"
+    ):
+        controller.step(np.zeros((4, 5)), 0.1)
+
+
+def test_locked_controls_of_independent_limits_are_no_faults():
+    cooktop = ag.generate("cooktop", seed=0, certify=False)
+    assert faults(cooktop) == faults(cooktop.with_limits("independent")) == []
+
+
 def faults(asset):
     return [each.message for each in check_outputs(asset).findings]
 

@@ -344,8 +344,14 @@ class Asset:
         return _CheckedStates(data["joints"], data.get("outputs", ()))
 
     def controller(self, worlds: int = 1) -> Controller:
-        """Return the controller of a number of equal products, which computes their outputs over time."""
-        return Controller(self.valid_states, worlds)
+        """Return the controller of a number of equal products, which computes their outputs over time.
+
+        Raises:
+            AssetError: The number is no whole number of at least 1.
+        """
+        if not is_number(worlds) or not float(worlds).is_integer() or worlds < 1:
+            raise AssetError(f"the number of worlds must be a whole number of at least 1, got {worlds!r}")
+        return Controller(self.valid_states, int(worlds))
 
     def with_outputs(self, values: Mapping[str, float]) -> "Asset":
         """Return the asset with lights and displays shining, for pictures and files.

@@ -45,8 +45,14 @@ class Controller:
         Args:
             q: Positions by `dofs`, shape (worlds, dof), or (dof,) of one product [rad or m].
             seconds: Time since the last step [s].
+
+        Raises:
+            ValueError: The positions have another shape.
         """
-        rows = np.broadcast_to(np.asarray(q, float), (self.worlds, len(self.dofs)))
+        rows, shape = np.asarray(q, float), (self.worlds, len(self.dofs))
+        if rows.shape not in (shape, shape[1:]):
+            raise ValueError(f"positions have the shape {shape}, by {', '.join(self.dofs)}; got {rows.shape}")
+        rows = np.broadcast_to(rows, shape)
         found = dict(zip(self._states.joints, self._states.positions(rows).T, strict=True))
         values: list[Array] = []
         for number, (signal, terms, unless) in enumerate(self._order):

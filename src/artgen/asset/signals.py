@@ -20,6 +20,18 @@ _PHRASES: Mapping[str, str] = {
     "not": "not {0}",
     "scaled": "{factor:g} x {0}",
 }
+_NEEDED: Mapping[str, tuple[str, ...]] = {
+    "level": ("joint",),
+    "pressed": ("joint",),
+    "where": ("condition",),
+    "timer": ("terms", "seconds"),
+    "latest": ("terms", "values"),
+    "scaled": ("terms", "factor"),
+    **dict.fromkeys(("toggle", "all", "any", "not"), ("terms",)),
+}
+"""Fields that a signal of each kind reads."""
+
+_MANY = ("latest", "all", "any")  # kinds that combine several terms
 _FAR = 2.0 / 3.0  # level from which a control counts as pressed
 _MOST = 4  # controls that are named
 _LINKED = {"all": " and ", "any": " or "}
@@ -42,6 +54,23 @@ class AssetSignal(Record):
     seconds: float | None = None  # duration of `timer` [s]
     values: tuple[float, ...] | None = None  # value of `latest` after each term rose
     factor: float | None = None  # of `scaled`
+
+    def __post_init__(self) -> None:
+        """Check that the signal has what its kind reads.
+
+        Raises:
+            AssetError: It has not.
+        """
+        needed, terms = _NEEDED[self.kind], len(self.terms or ())
+        missing = [name for name in needed if getattr(self, name) is None]
+        if missing:
+            raise AssetError(f"a signal of the kind {self.kind!r} has no {missing[0]}")
+        if "terms" in needed and (terms < 1 or (terms > 1 and self.kind not in _MANY)):
+            raise AssetError(f"a signal of the kind {self.kind!r} cannot have {terms} terms")
+        if self.values is not None and len(self.values) != terms:
+            raise AssetError(
+                f"a signal has {terms} terms and {len(self.values)} values; give a value for each"
+            )
 
     def parts(self) -> "list[AssetSignal]":
         """Return the signals that this one reads directly."""
