@@ -338,6 +338,12 @@ def test_positions_of_another_shape_are_refused():
         controller.step(np.zeros((4, 5)), 0.1)
 
 
+def test_lamps_that_low_detail_leaves_out_are_no_faults():
+    toaster = ag.generate("toaster", seed=0, detail="low", certify=False)
+    assert toaster.outputs[0].material not in {each.name for each in toaster.materials}
+    assert faults(toaster) == []
+
+
 def test_locked_controls_of_independent_limits_are_no_faults():
     cooktop = ag.generate("cooktop", seed=0, certify=False)
     assert faults(cooktop) == faults(cooktop.with_limits("independent")) == []
