@@ -25,7 +25,7 @@ def test_a_good_draft_has_a_table_and_a_picture_closed_and_open(check, tmp_path)
     done, lines = check("--seed", "2")
     assert (done.code, done.err) == (0, "")
     assert lines[:2] == ["stand_2, seed 2", "check result detail"]
-    states = {line.split()[0]: line.split()[1] for line in lines[2:12]}
+    states = {line.split()[0]: line.split()[1] for line in lines[2:13]}
     assert (states["certificate"], states["tree"], states["behavior"]) == ("passed", "passed", "passed")
     assert lines[-1] == "picture: stand_2_check.png"
     with Image.open(tmp_path / "stand_2_check.png") as picture:

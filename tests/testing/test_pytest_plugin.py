@@ -49,7 +49,8 @@ def judged(monkeypatch):
 
 def test_each_asset_and_check_is_a_test(suite, judged):
     done = suite("--artgen", "assets", "-v")
-    checks = ["files", "solids", "tree", "colliders", "urdf", "mjcf", "certificate", "grasps", "behavior"]
+    checks = ["files", "solids", "tree", "colliders", "urdf", "mjcf", "certificate", "grasps", "outputs"]
+    checks.append("behavior")
     done.assert_outcomes(passed=2 * len(checks))
     done.stdout.fnmatch_lines([f"assets/other::{check} PASSED*" for check in checks])
     done.stdout.fnmatch_lines([f"assets/stand_0::{check} PASSED*" for check in checks])
@@ -85,7 +86,7 @@ def test_faults_fail_with_every_finding_and_notes_are_shown(suite, judged):
     judged["urdf"] = CheckResult("urdf", (Finding("urdf", "has one thing to tell", severity="note"),))
     judged["behavior"] = CheckResult("behavior", skipped="needs artgen[sim]")
     done = suite("--artgen", "assets/stand_0", "-rs")
-    done.assert_outcomes(failed=1, passed=7, skipped=1)
+    done.assert_outcomes(failed=1, passed=8, skipped=1)
     done.stdout.fnmatch_lines(
         [
             "*stand_0: tree*",
@@ -117,7 +118,7 @@ def test_the_real_checks_run(suite, pytester):
 def test_an_asset_that_cannot_be_read_fails_its_files_alone(suite, pytester):
     (pytester.path / "assets/other/asset.json").write_text("{")
     done = suite("--artgen", "assets/other")
-    done.assert_outcomes(failed=1, skipped=6)
+    done.assert_outcomes(failed=1, skipped=7)
     done.stdout.fnmatch_lines(["other fails the check 'files': 1 fault", "  asset.json cannot be read: *"])
 
 

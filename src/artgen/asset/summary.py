@@ -26,11 +26,12 @@ def facts(asset: "Asset") -> list[tuple[str, list[str]]]:
     elif asset.certificate is not None:
         certificate = str(asset.certificate).partition("\n")[0]
     colliders = sum(len(link.colliders) for link in asset.links)
+    outputs = [each.name for each in asset.outputs]
     return [
         ("size", [f"{size} m (width, depth, height), {asset.mass:.3g} kg, {base}"]),
         (_counted(asset.links, "link"), [_listed(asset.links.names)]),
         (_counted(asset.joints, "joint"), _joint_lines(asset)),
-        *([(_counted(asset.outputs, "output"), _output_lines(asset))] if asset.outputs else []),
+        *((_counted(asset.outputs, "output"), [_listed(names)]) for names in [outputs] if names),
         ("proof", [certificate]),
         ("shape", [f"{colliders:,} convex colliders{_triangles(asset)}"]),
         (
@@ -71,13 +72,6 @@ def _joint_lines(asset: "Asset") -> list[str]:
     lines = [f"{joint.name:<{wide}}  {range_text(joint)}" for joint in shown]
     rest = asset.joints.names[len(shown) :]
     return lines + ([f"and {len(rest)} more: {_listed(rest)}"] if rest else [])
-
-
-def _output_lines(asset: "Asset") -> list[str]:
-    """Return a line for each of the first outputs."""
-    shown = asset.outputs if len(asset.outputs) <= _MOST_JOINTS else asset.outputs[: _MOST_JOINTS - 1]
-    rest = [each.name for each in asset.outputs[len(shown) :]]
-    return [*map(str, shown), *([f"and {len(rest)} more: {_listed(rest)}"] if rest else [])]
 
 
 def range_text(joint: AssetJoint) -> str:
