@@ -288,6 +288,7 @@ def test_wrong_outputs_of_a_picture(values, message):
         (lambda: panel().output("x", KNOB > 1, kind="motor"), "a motor moves a joint at a speed"),
         (lambda: panel().output("x", KNOB > 1, kind="lamp"), "lamp"),
         (lambda: panel().output("x", KNOB, kind="light"), "output(..., signal=...)"),
+        (lambda: panel().output("x", signals.level(3), kind="light"), "a signal reads a Joint, or the name"),
         (lambda: panel().output("x", signals.timer(KNOB > 1, 0.0), kind="heat"), "a timer of 0 s never runs"),
         (lambda: panel().output("x", 2.0 * signals.level(KNOB), kind="heat"), "it must be from 0 to 1"),
         (

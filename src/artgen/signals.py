@@ -18,7 +18,9 @@ from typing import Any, ClassVar, Literal
 from artgen._names import NAME_RULE, is_identifier
 from artgen.asset import AssetCondition, AssetOutput, AssetSignal, Tree
 from artgen.asset.signals import OutputKind
+from artgen.errors import BuildError
 from artgen.graph import Handle, kernel
+from artgen.graph.node import authors_line
 from artgen.nodes.handles import Scalar
 from artgen.nodes.joint import Condition, Joint
 
@@ -190,6 +192,8 @@ def pressed(joint: Joint | str, ends: tuple[Scalar, Scalar] | tuple[()] = ()) ->
 
 
 def _name(joint: Joint | str) -> str:
+    if not isinstance(joint, Joint | str):
+        raise BuildError(f"a signal reads a Joint, or the name of one, not {joint!r}\n  at {authors_line()}")
     return joint if isinstance(joint, str) else joint.name
 
 
