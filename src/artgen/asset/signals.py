@@ -128,10 +128,7 @@ class AssetSignal(Record):
         if self.kind == "any" and len(pressed) == len(terms) > _MOST:
             text = f"any of {len(terms)} controls pressed: {pressed[0]} to {pressed[-1]}"
         elif self.kind in _LINKED:
-            same = [each.kind == self.kind and each.unless is None for each in self.terms or ()]
-            text = _LINKED[self.kind].join(
-                each[1:-1] if flat else each for each, flat in zip(terms, same, strict=True)
-            )
+            text = _LINKED[self.kind].join(terms)
         elif self.kind == "latest":
             pairs = zip(self.values or (), terms, strict=True)
             text = ", ".join(f"{value:g} after {term}" for value, term in pairs)

@@ -78,7 +78,8 @@ def with_keys(
         body = body.install(key.rotate(ag.X, -lean), at=at)
     names = {icon: signals.pressed(f"button_slide_{number}") for number, (icon, _, _) in enumerate(keys)}
     body = body.output("cook", signals.latest([names["play"], names["stop"]], [1.0, 0.0]), kind="heat")
-    body = body.output("beep", functools.reduce(operator.or_, names.values()), kind="sound")
+    beep = controls.any_pressed(f"button_slide_{number}" for number in range(len(keys)))
+    body = body.output("beep", beep, kind="sound")
     if not dial:
         return body
     body = body.output("time", signals.level("dial_turn", (0.0, math.tau)), kind="display")

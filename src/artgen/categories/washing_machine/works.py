@@ -1,8 +1,6 @@
 """What moves in a washing machine: porthole door with its handle, drum, lid, basket and agitator."""
 
-import functools
 import math
-import operator
 from itertools import pairwise
 from typing import Literal
 
@@ -73,7 +71,8 @@ def washing(body: ag.Body, door: str, buttons: int, dials: int, *, dryer: bool) 
         speed |= runs & signals.toggle(keys[2])
     body = body.output("drum", speed, kind="motor", moves="drum_spin", speed=_MOTOR.velocity)
     body = body.output("heat", heats, kind="heat")
-    body = body.output("beep", functools.reduce(operator.or_, keys), kind="sound")
+    beep = controls.any_pressed(f"button_slide_{number}" for number in range(buttons))
+    body = body.output("beep", beep, kind="sound")
     for name in [f"dial_turn_{number}" for number in range(dials)] if dials > 1 else ["dial_turn"] * dials:
         body = body.output(name.replace("dial_turn", "program"), signals.level(name, _ROUND), kind="display")
     return body
