@@ -685,6 +685,7 @@ def test_a_layout_that_does_not_fit_says_what_is_missing(
     assert message in str(error.value)
 
 
+@pytest.mark.long
 def test_a_kitchen_with_a_corner_is_free_at_the_first_draw() -> None:
     made = kitchen(1, layout="l", detail="low")
     assert made.certificate is not None

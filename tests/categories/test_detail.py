@@ -78,7 +78,7 @@ def outline(asset: Asset, right: np.ndarray, up: np.ndarray) -> np.ndarray:
 
 
 @pytest.mark.parametrize("detail", ["medium", "low"])
-@pytest.mark.parametrize("category", some(categories(), 4))
+@pytest.mark.parametrize("category", some(categories(), 8))
 def test_colliders_contain_and_follow_the_solids_of_a_level(category: str, detail: Any) -> None:
     assert not check_colliders(find(category).generate(1, detail=detail, certify=False)).faults
 

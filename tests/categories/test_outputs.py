@@ -16,19 +16,19 @@ WORKING = 35
 
 @pytest.mark.parametrize("category", CATEGORIES)
 def test_outputs_follow_their_controls(category):
-    for seed in range(2):
-        asset = artgen.generate(category, seed=seed, certify=False)
-        assert [str(each) for each in check_outputs(asset).findings] == []
+    asset = artgen.generate(category, seed=0, certify=False)
+    assert [str(each) for each in check_outputs(asset).findings] == []
 
 
 @pytest.mark.long
 @pytest.mark.parametrize("category", CATEGORIES)
 def test_outputs_follow_their_controls_in_many_assets(category):
-    for seed in range(9000, 9040):
+    for seed in (1, *range(9000, 9040)):
         asset = artgen.generate(category, seed=seed, certify=False)
         assert [str(each) for each in check_outputs(asset).findings] == []
 
 
+@pytest.mark.long
 def test_most_products_with_controls_do_something():
     found = {
         name

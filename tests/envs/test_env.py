@@ -248,3 +248,27 @@ def test_missing_gymnasium_is_one_clear_error():
     code = "import sys; sys.modules['gymnasium'] = None; import artgen.envs"
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False)
     assert "EnvError: manipulation tasks need Gymnasium: pip install 'artgen[envs]'" in done.stderr
+
+
+def test_a_key_counts_only_while_the_output_goes_on():
+    env = ManipulationEnv("StartMicrowave", range(3, 4))
+    env.reset(seed=0)
+    (stage,) = env.target.stages
+    still = np.zeros(7, np.float32)
+    key, door = (env.data.joint(name) for name in (stage.joint, "door_hinge"))
+
+    def pressed():
+        for _ in range(3):
+            key.qpos[0] = env.asset.joint(stage.joint).limits[1]
+            key.qvel[0] = 0.0
+            *_, info = env.step(still)
+        return info
+
+    door.qpos[0] = 0.8
+    assert env.step(still)[-1]["outputs"]["light"] == 1.0
+    info = pressed()
+    assert (info["success"], info["progress"], info["outputs"]["heat"]) == (False, [1.0], 0.0)
+    env.reset(seed=0)
+    info = pressed()
+    assert (info["success"], info["outputs"]["heat"]) == (True, 1.0)
+    env.close()

@@ -11,7 +11,8 @@ import artgen
 from artgen.asset.affordance import GRIPPER
 from artgen.envs.motion import Stage, lifted
 from artgen.envs.robot import LIMITS, frames
-from artgen.envs.task import TASKS, by_lever, found, one_joint, push_door
+from artgen.envs.stages import by_lever, by_output, found, one_joint
+from artgen.envs.task import TASKS, push_door
 from artgen.errors import EnvError, ParameterError
 
 SEED = 4
@@ -109,6 +110,38 @@ def test_the_error_for_a_missing_part_lists_the_existing_ones(assets):
         TASKS["OpenTrashcan"].target(assets("OpenDrawer"), np.random.default_rng(0))
     with pytest.raises(EnvError, match=r"it has these grasps and pushes: drawer_handle_grasp_0"):
         found(assets("OpenDrawer"), "pedal", "push", "revolute")
+
+
+@pytest.mark.parametrize("name", [name for name in TASKS if name.startswith(("TurnOn", "Start"))])
+def test_the_goals_of_controls_switch_the_output_on_and_smaller_motions_do_not(name, assets):
+    asset = assets(name)
+    *before, last = next(iter(TASKS[name].choose(asset, np.random.default_rng(0))))
+    assert last.output in [each.name for each in asset.outputs]
+    assert [stage.output for stage in before] == [None] * len(before)
+
+    def switched(*positions):
+        controller, q = asset.controller(), asset.positions()
+        value = controller.step([q[joint] for joint in controller.dofs], 0.1)
+        for joint, position in positions:
+            moved = {**q, joint: position}
+            value = controller.step([moved[each] for each in controller.dofs], 0.1)
+            if not asset.joint(joint).stiffness:
+                q = moved
+            controller.step([q[each] for each in controller.dofs], 0.1) if joint != last.joint else None
+        return bool(value[last.output][0] >= 0.3)
+
+    goals = [(stage.joint, stage.goal) for stage in (*before, last)]
+    assert switched(*goals)
+    assert not switched(*goals[:-1], (last.joint, last.start + 0.25 * (last.goal - last.start)))
+    if before:
+        assert not switched(goals[-1]), "one control would do"
+
+
+def test_the_error_for_a_missing_output_lists_the_existing_ones(assets):
+    with pytest.raises(
+        EnvError, match=r"'cooktop_4' of category 'cooktop' has no output 'fridge'; .*burner_0"
+    ):
+        next(by_output("fridge")(assets("TurnOnBurner"), np.random.default_rng(0)))
 
 
 def test_a_lever_without_a_door_is_an_error():

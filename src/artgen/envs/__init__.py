@@ -15,9 +15,20 @@ except ImportError as error:
 
 from artgen.envs.env import ManipulationEnv
 from artgen.envs.motion import Stage, Target
-from artgen.envs.task import KITCHEN_TASKS, TASKS, Task, by_lever, one_joint
+from artgen.envs.stages import by_lever, by_output, one_joint
+from artgen.envs.task import KITCHEN_TASKS, TASKS, Task
 
-__all__ = ["KITCHEN_TASKS", "TASKS", "ManipulationEnv", "Stage", "Target", "Task", "by_lever", "one_joint"]
+__all__ = [
+    "KITCHEN_TASKS",
+    "TASKS",
+    "ManipulationEnv",
+    "Stage",
+    "Target",
+    "Task",
+    "by_lever",
+    "by_output",
+    "one_joint",
+]
 
 for _name in (*TASKS, *KITCHEN_TASKS):
     gymnasium.register(

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from artgen._arrays import Array
 from artgen.asset import Asset
 from artgen.dataset.plan import check_whole
-from artgen.envs.motion import Stage, Target, tip_of
+from artgen.envs.motion import ON, Stage, Target, tip_of
 from artgen.envs.robot import OPENING
 from artgen.envs.scene import CAMERAS, STEPS, TIME_STEP, Pictures, TaskScene
 from artgen.envs.task import Assets, Source, Task, compiled_asset, find_task
@@ -315,14 +315,15 @@ class ManipulationEnv(gymnasium.Env[Any, NDArray[np.float32]]):
 
     def _update_progress(self) -> None:
         """Update the outputs and the progress of the stages; one can be done only after the earlier ones."""
+        found = self._controller.step([self.scene.q(name) for name in self._controller.dofs], 1.0 / RATE)
+        self._outputs = {name: float(value[0]) for name, value in found.items()}
         before = True
         for number, stage in enumerate(self.target.stages):
             position = self.scene.q(stage.joint)
             self._progress[number] = stage.progress(position)
-            now = bool(stage.reached(position)) or (self._done[number] and not stage.holds)
+            on = stage.output is None or self._outputs[stage.output] >= ON
+            now = (bool(stage.reached(position)) and on) or (self._done[number] and not stage.holds)
             before = self._done[number] = before and now
-        found = self._controller.step([self.scene.q(name) for name in self._controller.dofs], 1.0 / RATE)
-        self._outputs = {name: float(value[0]) for name, value in found.items()}
         affordance = self._stage()[1].affordance
         self._handle = np.asarray(self.scene.pose(affordance.link) @ tip_of(affordance))
 

@@ -11,6 +11,7 @@ from artgen.asset import rotation
 from artgen.asset.affordance import GRIPPER, Affordance
 
 OPEN = GRIPPER.stroke  # largest opening of the hand [m]
+ON = 0.3  # value from which an output is on
 BACK, FAR_BACK = 0.10, 0.16  # start of the approach: usually, and if random motion would do the task [m]
 
 
@@ -46,6 +47,7 @@ class Stage:
         affordance: Grasp or push that moves it.
         moves: Motions of the scripted policy.
         holds: Whether the joint must stay at the goal in later stages, unlike a lever.
+        output: Name of the output that the joint switches on at the goal, if any.
     """
 
     joint: str
@@ -54,6 +56,7 @@ class Stage:
     affordance: Affordance
     moves: tuple[Move, ...] = ()
     holds: bool = False
+    output: str | None = None
 
     def progress(self, position: float) -> float:
         """Return the progress to the goal, 0-1."""

@@ -24,7 +24,8 @@ from artgen.catalog import generate
 from artgen.envs.env import ACTION, ALONG, BONUS, DENSE, NEAR, RATE
 from artgen.envs.motion import Stage, tip_of
 from artgen.envs.scene import TIME_STEP
-from artgen.envs.task import Task, find_task, frees
+from artgen.envs.stages import frees
+from artgen.envs.task import Task, find_task
 from artgen.errors import EnvError, ParameterError
 from artgen.validate.hands.motion import MOST_FORCE
 

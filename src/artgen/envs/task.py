@@ -1,35 +1,35 @@
 """The manipulation tasks: category, joints to move, contacts and time limit of each; and their assets."""
 
 import copy
-import re
 from collections import OrderedDict
-from collections.abc import Callable, Hashable, Iterator, Mapping, Sequence
+from collections.abc import Hashable, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any, Literal
+from typing import Any
 
 import numpy as np
 
-from artgen._arrays import Array, cached_property
-from artgen.asset import Asset, AssetJoint
-from artgen.asset.affordance import Affordance
+from artgen._arrays import cached_property
+from artgen.asset import Asset
 from artgen.catalog import generate
 from artgen.dataset import Dataset
-from artgen.envs.motion import BACK, FAR_BACK, Contact, Move, Stage, Target, contact_of, lifted
+from artgen.envs.motion import FAR_BACK, Stage, Target
 from artgen.envs.placing import place
 from artgen.envs.scene import TaskScene, compiled
+from artgen.envs.stages import (
+    AJAR,
+    Chooser,
+    by_lever,
+    by_output,
+    check_positive,
+    one_joint,
+    open_and_close,
+    open_dishwasher,
+    third_drawer,
+)
 from artgen.errors import EnvError, ParameterError, nearest
 from artgen.sampling import by, choice
-from artgen.sampling.distributions import is_number
 from artgen.scene import ROOMS
-
-Choice = tuple[Stage, ...]  # possible stages of a task on an asset
-Chooser = Callable[[Asset, np.random.Generator], Iterator[Choice]]  # all choices, in random order
-
-_AJAR = 0.40  # opening of a dishwasher by its handle [rad]
-_STEEP = 1.0  # least total opening of a dishwasher [rad]
-_SHUT = 0.02  # opening of a door that counts as shut [rad]
-_PAST = 0.08  # distance of the scripted policy beyond a goal, relative to the distance to the goal
 
 
 @dataclass(frozen=True, eq=False)
@@ -55,7 +55,7 @@ class Task:
     raised: bool = False
 
     def __post_init__(self) -> None:
-        _check_positive("seconds", self.seconds)
+        check_positive("seconds", self.seconds)
         if not callable(self.choose):
             raise ParameterError(
                 f"choose of {self.name} is a function, such as one_joint(...), got {self.choose!r}"
@@ -97,206 +97,6 @@ class Task:
             f"{self.name}: there is no place from which a Panda reaches the parts of asset {asset.name!r} "
             f"({tried} choices tried); leave the asset out, or make it with another seed"
         )
-
-
-def one_joint(
-    part: str,
-    kind: Literal["grasp", "push"],
-    joint_kind: Literal["revolute", "prismatic"],
-    share: float = 0.0,
-    *,
-    at_least: float = 0.0,
-    back: float = BACK,
-) -> Chooser:
-    """Return the `choose` of a task that moves one joint of a part from rest, by a grasp or a push on it.
-
-    Args:
-        part: Text in the names of the links that have the grasp or push; empty for all links.
-        kind: `grasp` or `push`.
-        joint_kind: Kind of the joint nearest to the part. It has limits and no dependency.
-        share: Goal as a share of the range of the joint.
-        at_least: Goal if `share` is 0, at most 0.98 of the range [rad or m].
-        back: Distance at which the hand begins its approach; large for parts that random motion would move
-            [m].
-
-    Raises:
-        ParameterError: An argument is impossible, or there is no goal, or two.
-    """
-    _check_option("kind", kind, ("grasp", "push"))
-    _check_option("joint_kind", joint_kind, ("revolute", "prismatic"))
-    for name, value, most in (("share", share, 1.0), ("at_least", at_least, np.inf)):
-        if value:
-            _check_positive(name, value, most)
-    _check_positive("back", back)
-    if bool(share) == bool(at_least):
-        raise ParameterError(
-            "one_joint needs one goal: share=0.5 of the range of the joint, or at_least=0.3 rad or m; got "
-            f"share = {share!r} and at_least = {at_least!r}"
-        )
-
-    def choose(asset: Asset, rng: np.random.Generator) -> Iterator[Choice]:
-        for affordance in _shuffled(found(asset, part, kind, joint_kind), rng):
-            yield (stage(asset, affordance, share, at_least, back=back),)
-
-    return choose
-
-
-def _check_positive(name: str, value: Any, most: float = np.inf) -> None:
-    if not is_number(value) or not 0.0 < value <= most:
-        limit = f" of at most {most:g}" if most < np.inf else ""
-        raise ParameterError(f"{name} = {value!r} is not allowed: it must be a positive number{limit}")
-
-
-def _check_option(name: str, value: Any, options: Sequence[str]) -> None:
-    if value not in options:
-        raise ParameterError(f"{name} = {value!r} is not allowed.{nearest(value, options)}")
-
-
-def found(asset: Asset, part: str, kind: str, joint_kind: str, *, free: bool = True) -> list[Affordance]:
-    """Return the affordances, at least one, of a part whose nearest joint has a kind and limits.
-
-    The joint has no dependency, unless `free` is False.
-    """
-    result = []
-    for each in asset.affordances:
-        if each.kind != kind or not each.joints or part not in asset.originals.get(each.link, each.link):
-            continue
-        joint = asset.joint(each.joints[0])
-        if joint.kind == joint_kind and not (free and _needed(joint)) and joint.limits is not None:
-            result.append(each)
-    if not result:
-        have = ", ".join(f"{each.name} ({each.link})" for each in asset.affordances) or "none"
-        raise EnvError(
-            f"asset {asset.name!r} of category {asset.category!r} has no {part or 'part'} that a hand can "
-            f"{kind} to move a {joint_kind} joint; it has these grasps and pushes: {have}. Draw it with the "
-            "part, as the task's own generate(seed) does"
-        )
-    return result
-
-
-def _shuffled(items: list[Affordance], rng: np.random.Generator) -> list[Affordance]:
-    return [items[index] for index in rng.permutation(len(items))]
-
-
-def stage(
-    asset: Asset,
-    affordance: Affordance,
-    share: float,  # goal as a share of the range of the joint
-    at_least: float = 0.0,  # goal if `share` is 0 [rad or m]
-    *,
-    back: float = BACK,  # start of the approach; far for joints that random motion moves easily [m]
-) -> Stage:
-    """Return the stage that moves the nearest joint of an affordance from rest towards larger positions."""
-    joint = asset.joint(affordance.joints[0])
-    assert joint.limits is not None
-    start, end = joint.closed, joint.limits[1]
-    goal = start + share * (end - start) if share else start + min(at_least, 0.98 * (end - start))
-    until = min(goal + _PAST * (goal - start) + 0.01 * (end - start), end)
-    move = Move(joint.name, until, contact_of(affordance, back))
-    return Stage(joint.name, start, goal, affordance, (move,))
-
-
-def by_lever(part: str, goal: float, until: float, *, pushes: bool = False) -> Chooser:
-    """Return the `choose` of a task that turns a lever and moves the joint that it frees, with one grasp.
-
-    If the lever itself needs another joint, such as the key of a safe, that one is turned first.
-
-    Args:
-        part: Text in the name of the link of the lever.
-        goal: Goal of the freed joint [rad or m].
-        until: Position at which the scripted policy releases it [rad or m].
-        pushes: Whether grasps are left out with which the hand would pull.
-
-    Raises:
-        ParameterError: A number is impossible.
-    """
-    _check_positive("until", until)
-    _check_positive("goal", goal, until)
-
-    def choose(asset: Asset, rng: np.random.Generator) -> Iterator[Choice]:
-        for grasp in _shuffled(found(asset, part, "grasp", "revolute", free=False), rng):
-            lever, *others = (asset.joint(name) for name in grasp.joints)
-            moved = next((each for each in others if lever.name in _needed(each)), None)
-            keys = [each for each in asset.affordances if set(each.joints[:1]) & _needed(lever)]
-            if moved is None or (_needed(lever) and not keys):
-                continue
-            before, motion = grasp.frame[:3, 3], moved.motion(0.1)
-            if pushes and (motion[:3, :3] @ before + motion[:3, 3] - before) @ grasp.frame[:3, 2] <= 0.0:
-                continue  # the hand would pull
-            first = [_turn(asset, key, lever.name) for key in keys[:1]]
-            highest = np.inf if moved.limits is None else moved.limits[1]
-            move = Move(moved.name, min(until, highest), None)
-            last = Stage(moved.name, 0.0, min(goal, 0.98 * highest), grasp, (move,))
-            yield *first, _turn(asset, grasp, moved.name), last
-
-    return choose
-
-
-def _needed(joint: AssetJoint) -> set[str]:
-    """Return the names of the joints that a joint needs."""
-    return set() if joint.needs is None else set(joint.needs.condition.joints())
-
-
-def _turn(asset: Asset, grasp: Affordance, freed: str) -> Stage:
-    """Return the stage that turns the nearest joint of a grasp until it frees another joint."""
-    joint = asset.joint(grasp.joints[0])
-    assert joint.limits is not None
-    free = frees(asset, freed, joint.name)
-    goal = max(0.3, free + 0.02 * (joint.limits[1] - free))
-    turn = Move(joint.name, 0.5 * (goal + joint.limits[1]), contact_of(grasp, FAR_BACK))
-    return Stage(joint.name, 0.0, goal, grasp, (turn,))
-
-
-def frees(asset: Asset, blocked: str, lever: str) -> float:
-    """Return the least position of a lever at which a joint is free [rad]."""
-    needs, limits = asset.joint(blocked).needs, asset.joint(lever).limits
-    assert limits is not None
-    low, high = limits
-    if needs is None:
-        return low
-    if not needs.condition.holds(asset.positions({lever: high})):
-        raise EnvError(f"asset {asset.name!r}: {lever} alone does not free {blocked}; it needs {needs}")
-    for _ in range(40):
-        middle = 0.5 * (low + high)
-        free = needs.condition.holds(asset.positions({lever: middle}))
-        low, high = (low, middle) if free else (middle, high)
-    return high
-
-
-def open_dishwasher(asset: Asset, rng: np.random.Generator) -> Iterator[Choice]:
-    """Yield the door, pulled ajar and then pressed down from inside, and a rack behind it.
-
-    Racks that need a smaller opening of the door come first.
-    """
-    grasp = found(asset, "door", "grasp", "revolute")[0]
-    door = asset.joint(grasp.joints[0])
-    racks = [each for each in asset.affordances if each.link.startswith("rack") and each.kind == "grasp"]
-    if not racks:
-        raise EnvError(f"asset {asset.name!r} has no rack that a hand can grasp; take one with a rack")
-    freed = {each.name: frees(asset, each.joints[0], door.name) for each in racks}
-    assert door.limits is not None
-    for rack in sorted(_shuffled(racks, rng), key=lambda each: freed[each.name] > _STEEP):
-        goal = min(max(_STEEP, freed[rack.name] + 0.1), 0.97 * door.limits[1])
-        pull = stage(asset, rack, 0.5)
-        for side in rng.permutation([-1.0, 1.0, 0.0]):
-            ajar = Move(door.name, _AJAR, contact_of(grasp, back=0.15))
-            within = _from_within(asset, grasp, door.motion(_AJAR), 0.12 * side)
-            down = Move(door.name, min(goal + 0.15, door.limits[1]), within)
-            yield Stage(door.name, 0.0, goal, grasp, (ajar, down), holds=True), pull
-
-
-def _from_within(asset: Asset, grasp: Affordance, ajar: Array, beside: float) -> Contact:
-    """Return the contact of closed fingers with the inside of the upper edge of a door that is ajar.
-
-    They point to the hinge, come from above the edge, and press the door down.
-    """
-    link = asset.link(grasp.link)
-    boxes = np.array([each.convex.bounds() for each in link.colliders])
-    top = float(boxes[:, 1, 2].max())
-    inner = float(boxes[boxes[:, 1, 2] > top - 0.03, 1, 1].max())
-    frame = np.diag([1.0, -1.0, -1.0, 1.0])
-    frame[:3, 3] = (grasp.frame[0, 3] + beside, inner + 0.012, top - 0.03)
-    return Contact("push", link.name, frame, through=(lifted(ajar @ frame, -0.25),))
 
 
 _DOCS = {
@@ -352,6 +152,25 @@ _DOCS = {
     "LiftCookerLid": "Lift the lid off the slow cooker, by 0.06 m.",
     "PullVisor": "Pull the visor of the range hood out by half its way.",
     "SqueezeClip": "Press the lever of the clothespin or clip, so that its jaws open.",
+    "TurnOnLamp": "Switch the lamp on.",
+    "TurnOnBurner": "Turn a knob of the cooktop until its burner heats, at three tenths or more.",
+    "TurnOnTap": "Open the faucet until water runs, three tenths of the most or more.",
+    "TurnOnOven": "Turn the knobs of the oven, for its function and its heat, until it heats.",
+    "TurnOnAirFryer": "Turn the knobs of the air fryer until it heats.",
+    "TurnOnFan": "Switch the fan on.",
+    "TurnOnHood": "Switch the fan of the range hood on.",
+    "TurnOnSwitch": "Move a light switch or dimmer until its lamp shines.",
+    "StartMicrowave": "Press a key of the microwave oven that makes it heat.",
+    "StartCoffee": "Press the buttons of the coffee machine, the main switch first, until coffee flows.",
+    "StartDishwasher": "Press the button that starts the dishwasher.",
+    "StartWasher": "Press the button that starts the drum of the washing machine or dryer.",
+    "StartBlender": "Press a button or turn the knob of the blender until its blades turn.",
+    "StartMixer": "Turn the knob of the stand mixer until it runs at three tenths of its speed or more.",
+    "StartCopy": "Press the button of the printer that copies a page.",
+    "StartRice": "Press the button or lever of the cooker that makes it cook.",
+    "BoilWater": "Press the switch of the kettle.",
+    "LightGrill": "Turn a knob of the gas grill until its burner heats, at three tenths or more.",
+    "UnlockSafe": "Type on the keypad of the safe and press its enter key.",
 }
 push_door = by_lever("handle", 0.3, 0.34, pushes=True)
 _press = one_joint("", "push", "prismatic", 0.8, back=FAR_BACK)
@@ -376,6 +195,7 @@ _LOCKED = {
     "lock": choice("key", "dial"),
     "handle": by("style", home="knob", fire="spokes"),
 }
+_HUNG = {"style": choice("chimney", "inclined", "island")}
 _LATCHED, _VISOR = {"style": "hinged"}, {"style": "telescopic"}
 _Row = tuple[str, float, Chooser, Mapping[str, Any], bool]
 _ROWS: dict[str, _Row] = {  # category, time limit [s], stages, overrides, raised
@@ -437,6 +257,31 @@ _ROWS: dict[str, _Row] = {  # category, time limit [s], stages, overrides, raise
     "PullVisor": ("range_hood", 8.0, one_joint("visor", "grasp", "prismatic", 0.5), _VISOR, True),
     "SqueezeClip": ("clothespin", 6.0, _tip, {"style": choice("wood", "plastic", "bag")}, True),
     "PumpSoap": ("soap_dispenser", 6.0, _press, {"style": choice("bottle", "holder")}, True),
+    "TurnOnLamp": ("lamp", 8.0, by_output("light"), {"switch": choice("button", "rocker")}, True),
+    "TurnOnBurner": ("cooktop", 8.0, by_output("burner"), _FLAT, True),
+    "TurnOnTap": ("faucet", 8.0, by_output(), {}, False),
+    "TurnOnOven": ("oven", 16.0, by_output("oven"), {"build": "built_in", "dials": choice(2, 3)}, False),
+    "TurnOnAirFryer": ("toaster_oven", 16.0, by_output("heat"), {"style": choice("fryer", "dual")}, True),
+    "TurnOnFan": ("fan", 8.0, by_output("blow"), {"style": choice("desk", "pedestal", "box")}, True),
+    "TurnOnHood": (
+        "range_hood",
+        8.0,
+        by_output("fan"),
+        {"style": choice("chimney", "inclined", "island")},
+        True,
+    ),
+    "TurnOnSwitch": ("switch", 8.0, by_output("lamp"), {"style": choice("rocker", "dimmer", "timer")}, True),
+    "StartMicrowave": ("microwave", 6.0, by_output("heat"), _KEYS, True),
+    "StartCoffee": ("coffee_machine", 12.0, by_output("coffee"), {}, True),
+    "StartDishwasher": ("dishwasher", 6.0, by_output("wash"), {}, False),
+    "StartWasher": ("washing_machine", 8.0, by_output("drum"), {}, False),
+    "StartBlender": ("blender", 8.0, by_output("blend"), {"style": choice("jug", "retro")}, True),
+    "StartMixer": ("stand_mixer", 8.0, by_output("mix"), {}, True),
+    "StartCopy": ("printer", 6.0, by_output("copying"), {"style": choice("laser", "multi"), "keys": 3}, True),
+    "StartRice": ("rice_cooker", 8.0, by_output("cook"), {}, True),
+    "BoilWater": ("kettle", 6.0, by_output("heat"), {"style": "spout"}, True),
+    "LightGrill": ("grill", 8.0, by_output("burner"), {"style": choice("gas", "portable")}, True),
+    "UnlockSafe": ("safe", 12.0, by_output("unlocking"), {"lock": "keypad"}, True),
 }
 TASKS = {
     name: Task(name, category, seconds, _DOCS[name], choose, overrides, raised)
@@ -444,42 +289,11 @@ TASKS = {
 }
 
 
-def third_drawer(asset: Asset, rng: np.random.Generator) -> Iterator[Choice]:
-    """Yield the pull of the third drawer from above of each base unit with drawers."""
-    names = [f"{each.name}_drawer_2" for each in asset.placed if each.category == "drawer"]
-    for grasp in _shuffled(_free_grasps(asset, names, "third drawer"), rng):
-        yield (stage(asset, grasp, 0.5),)
-
-
-def open_and_close(asset: Asset, rng: np.random.Generator) -> Iterator[Choice]:
-    """Yield the pull of a door of a refrigerator, and the push with the same grasp until it is shut."""
-    names = [link.name for link in asset.links if re.fullmatch(r"refrigerator_\w*door\w*", link.name)]
-    for grasp in _shuffled(_free_grasps(asset, names, "door of a refrigerator"), rng):
-        opening = stage(asset, grasp, 0.0, _AJAR)
-        joint, shut = asset.joint(opening.joint), opening.start + _SHUT
-        closing = Move(joint.name, joint.closed, None)
-        yield opening, Stage(joint.name, opening.goal, shut, grasp, (closing,), holds=True)
-
-
-def _free_grasps(asset: Asset, links: Sequence[str], what: str) -> list[Affordance]:
-    """Return the grasps on links whose nearest joint moves while all others are closed; at least one."""
-    rest = asset.positions()
-    result = []
-    for each in asset.affordances:
-        if each.kind == "grasp" and each.link in links and each.joints:
-            joint = asset.joint(each.joints[0])
-            if joint.limits is not None and (joint.needs is None or joint.needs.condition.holds(rest)):
-                result.append(each)
-    if not result:
-        raise EnvError(f"asset {asset.name!r} has no {what} that a hand can grasp; take another seed")
-    return result
-
-
 _KITCHEN_ROWS: dict[str, tuple[float, str, Chooser]] = {  # time limit [s], description, stages
     "OpenKitchenDrawer": (15.0, "Pull the third drawer of a base unit open by half its way.", third_drawer),
     "OpenAndCloseFridge": (
         25.0,
-        f"Open a door of the refrigerator by {_AJAR:g} rad, then shut it.",
+        f"Open a door of the refrigerator by {AJAR:g} rad, then shut it.",
         open_and_close,
     ),
 }
