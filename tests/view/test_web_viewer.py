@@ -364,6 +364,44 @@ def test_positions_poses_and_what_is_blocked_are_those_of_python(tab: Tab, name:
             assert np.abs(np.array(each["poses"][link]).reshape(4, 4).T - pose).max() < CLOSE
 
 
+@pytest.mark.parametrize("name", ["microwave", "coffee_machine", "lamp", "range_hood"])
+def test_outputs_over_time_are_those_of_python(tab: Tab, name: str) -> None:
+    other = artgen.generate(name, seed=3, certify=False)
+    outputs = viewer_data(other)["outputs"]
+    ends = [(joint.closed, joint.opened) for joint in map(other.joint, other.dof_names)]
+    rows = np.array([np.random.default_rng(number).choice(each, 300) for number, each in enumerate(ends)]).T
+    poses = [other.positions(dict(zip(other.dof_names, row.tolist(), strict=True))) for row in rows]
+    found = tab.page.evaluate(
+        """([outputs, poses]) => {
+            const controller = new artgen.controller.constructor(outputs);
+            return poses.map((positions) => controller.step(positions, 0.7));
+        }""",
+        [json.loads(json.dumps(outputs)), poses],
+    )
+    controller = other.controller()
+    seen = [{key: float(value[0]) for key, value in controller.step(row, 0.7).items()} for row in rows]
+    assert {key for each in seen for key, value in each.items() if value > 0.5} == set(seen[0])
+    for expected, each in zip(seen, found, strict=True):
+        assert each == pytest.approx(expected, abs=1e-12)
+
+
+def test_a_pressed_switch_lights_the_lamp(browser: Browser, tmp_path: Path) -> None:
+    path = artgen.generate("lamp", seed=9).show(textures=0).save(tmp_path / "lamp.html")
+    with browser.tab(640, 420, offline=True) as tab:
+        ready(tab.open(path))
+        value = tab.page.locator("[data-output=light]")
+        bulb = """() => [...artgen.model.meshes()].map((mesh) => mesh.material)
+            .find((material) => material.name === "bulb").emissive.toArray()"""
+        assert (value.text_content(), tab.page.evaluate(bulb)) == ("off", [0, 0, 0])
+        tab.page.evaluate("() => artgen.move('switch_slide', 0.003)")
+        assert (value.text_content(), tab.page.evaluate(bulb)) == ("on", pytest.approx([1.0, 0.84, 0.62]))
+        tab.page.evaluate("() => artgen.move('switch_slide', 0)")
+        assert value.text_content() == "on", "it is toggled"
+        tab.page.evaluate("() => artgen.move('switch_slide', 0.003)")
+        assert (value.text_content(), tab.page.evaluate(bulb)) == ("off", [0, 0, 0])
+        assert tab.problems == []
+
+
 def test_a_collision_is_shown_where_it_is(browser: Browser, tmp_path: Path) -> None:
     # named like one of its links, which must not confuse the reader of the GLB
     bad, _ = clash.evaluate(0, name="flap", on_collision="keep")

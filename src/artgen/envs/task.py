@@ -273,7 +273,7 @@ _ROWS: dict[str, _Row] = {  # category, time limit [s], stages, overrides, raise
     "TurnOnSwitch": ("switch", 8.0, by_output("lamp"), {"style": choice("rocker", "dimmer", "timer")}, True),
     "StartMicrowave": ("microwave", 6.0, by_output("heat"), _KEYS, True),
     "StartCoffee": ("coffee_machine", 12.0, by_output("coffee"), {}, True),
-    "StartDishwasher": ("dishwasher", 6.0, by_output("wash"), {}, False),
+    "StartDishwasher": ("dishwasher", 6.0, by_output("wash"), {"buttons": choice(3, 4, 5)}, False),
     "StartWasher": ("washing_machine", 8.0, by_output("drum"), {}, False),
     "StartBlender": ("blender", 8.0, by_output("blend"), {"style": choice("jug", "retro")}, True),
     "StartMixer": ("stand_mixer", 8.0, by_output("mix"), {}, True),

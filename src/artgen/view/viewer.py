@@ -20,7 +20,7 @@ from artgen.view.overlays import collider_mesh, joint_symbol, label_colors
 from artgen.view.page import Page, page_html, three_js
 from artgen.view.sheet import shots
 
-_SCRIPTS = ("elements", "kinematics", "studio", "model", "symbols", "orbit", "panel", "main")
+_SCRIPTS = ("elements", "kinematics", "controller", "studio", "model", "symbols", "orbit", "panel", "main")
 _DECIMALS = 5  # decimals of drawn points: 10 micrometres
 _GAP = 0.06  # free space between two boxes, as a share of the asset's size
 _FAR = 0.5  # share of its own length above which a slide moves out along its axis, unlike a bolt
@@ -61,6 +61,7 @@ def viewer_data(asset: Asset) -> dict[str, Any]:
         "view": {"azimuth": view.azimuth, "elevation": view.elevation},
         "links": [_link(asset, link, shifts[link.name]) for link in asset.links],
         "joints": [_joint(asset, joint) for joint in asset.joints],
+        "outputs": [{**plain(each), "text": str(each)} for each in asset.outputs],
         "open": open_pose,
         "parameters": plain(asset.parameters),
         "colors": {label: list(color) for label, color in label_colors(asset).items()},

@@ -1,11 +1,14 @@
 // The viewer: it connects its parts, and holds the positions of the joints and the display options.
 
 const LEAD = 0.75; // duration of the animation of one joint [s]
+const TICK = 200; // time between two looks at outputs while nothing moves [ms]
 
 class Viewer {
   constructor(data, nodes, stage) {
     this.data = data;
     this.kinematics = new Kinematics(data);
+    this.controller = new Controller(data.outputs);
+    this.clock = performance.now(); // time of the last step of the controller [ms]
     this.q = {}; // positions of the free joints that were moved [rad or m]
     this.apart = 0;
     this.colored = false;
@@ -30,6 +33,7 @@ class Viewer {
     for (const [name, action] of Object.entries(pressed)) document.getElementById(name).addEventListener("click", action);
     document.getElementById("toggle").addEventListener("click", () => document.body.classList.toggle("narrow"));
     this.update();
+    if (data.outputs.length) setInterval(() => this.work(), TICK);
   }
 
   /** Moves a joint as far as the others allow; the panel shows the reason if it stops. */
@@ -180,7 +184,19 @@ class Viewer {
     this.symbols.mark(null);
     this.symbols.follow(poses, positions);
     this.panel.update(positions, blocked);
+    this.work();
     this.studio.redraw({ moved: true });
+  }
+
+  /** Computes the outputs after the time that went by, and lets materials shine. */
+  work() {
+    const [now, before] = [performance.now(), this.values];
+    this.values = this.controller.step(this.kinematics.positions(this.q), (now - this.clock) / 1000);
+    this.clock = now;
+    if (before && this.data.outputs.every(({ name }) => before[name] === this.values[name])) return;
+    this.model.shine(this.data.outputs, this.values);
+    this.panel.work(this.values);
+    this.studio.redraw();
   }
 
   fit() {

@@ -60,6 +60,23 @@ class Model {
     }
   }
 
+  /** Lets materials emit the light of their outputs. */
+  shine(outputs, values) {
+    const colors = new Map(); // linear RGB by name of the material
+    for (const { name, material, color } of outputs.filter((each) => each.material)) {
+      const before = colors.get(material) ?? [0, 0, 0];
+      colors.set(material, before.map((part, place) => Math.min(part + values[name] * color[place], 1)));
+    }
+    for (const { userData } of this.meshes()) {
+      const color = colors.get(userData.own.name);
+      if (!color) continue;
+      userData.own.emissive.setRGB(...color);
+      for (const [key, copy] of this.materials) {
+        if (key === `${userData.own.uuid} true 0`) copy.emissive.setRGB(...color); // the translucent one
+      }
+    }
+  }
+
   * meshes() {
     for (const link of this.links.values()) yield* link.meshes;
   }

@@ -38,11 +38,13 @@ class Panel {
     this.viewer = viewer;
     this.rows = new Map(); // slider, position and reason text of each joint
     this.pairs = [];
+    this.values = new Map(); // cell with the value of each output
     const { data } = viewer;
     root.append(
       element("h1", {}, data.name),
       element("p", { className: "facts" }, this.facts()),
       section("Joints", data.joints.length, true, ...data.joints.map((joint) => this.joint(joint))),
+      ...(data.outputs.length ? [section("Outputs", data.outputs.length, true, this.outputs())] : []),
       section("Show", null, true, this.switches()),
       section("Certificate", data.certificate?.pairs.length ?? null, true, ...this.certificate()),
       section("Masses", kilograms(data.mass), false, table(data.links.map((link) => [link.name, kilograms(link.mass)]))),
@@ -90,6 +92,16 @@ class Panel {
     if (joint.needs) row.append(element("small", {}, `needs ${this.viewer.format(joint)}`));
     if (joint.driven) row.append(element("small", {}, `moved by ${joint.driven}`));
     return row;
+  }
+
+  outputs() {
+    const rows = this.viewer.data.outputs.map(({ name, kind, text }) => {
+      const value = element("span");
+      value.dataset.output = name;
+      this.values.set(name, value);
+      return [element("span", { title: text }, name, " ", element("span", { className: "muted" }, kind)), value];
+    });
+    return table(rows);
   }
 
   switches() {
@@ -140,6 +152,14 @@ class Panel {
   choose(place) {
     this.viewer.inspect(this.viewer.data.certificate.pairs[place]);
     for (const [other, row] of this.pairs.entries()) row.classList.toggle("chosen", other === place);
+  }
+
+  /** Shows the values of the outputs. */
+  work(values) {
+    for (const [name, cell] of this.values) {
+      const percent = Math.round(100 * values[name]);
+      cell.textContent = { 0: "off", 100: "on" }[percent] ?? `${percent} %`;
+    }
   }
 
   /** Shows the positions of the joints, and the reason why one stopped. */
