@@ -229,8 +229,8 @@ def _controls(asset: Asset, hands: Sequence[Affordance], q: Array) -> Iterator[t
         if joint.limits is None or not all(condition.holds(positions) for condition in needed):
             continue
         for end in joint.limits:
-            motion = joint.motion(joint.closed + 0.01 * (end - joint.closed))
-            moved = motion[:3, :3] @ each.frame[:3, 3] + motion[:3, 3] - each.frame[:3, 3]
+            little = joint.closed + 0.01 * (end - joint.closed)
+            moved = ((joint.motion(little) - joint.motion(joint.closed)) @ each.frame[:, 3])[:3]
             if end != joint.closed and (each.kind == "grasp" or moved @ each.frame[:3, 2] > 0.0):
                 yield each, end
 
@@ -247,7 +247,8 @@ def _goal(asset: Asset, output: str, before: Sequence[Array], hand: Affordance, 
     on = controller.step(rows, _PAUSE)[output] >= ON
     if on[0] or not on.any():
         return None
-    return float(way[min(int(np.argmax(on)) + 1, len(way) - 2)])
+    first = int(np.argmax(on))
+    return float(way[first + 1] if first < len(way) - 2 else way[first])
 
 
 def _needed(joint: AssetJoint) -> set[str]:

@@ -71,9 +71,7 @@ class Model {
       const color = colors.get(userData.own.name);
       if (!color) continue;
       userData.own.emissive.setRGB(...color);
-      for (const [key, copy] of this.materials) {
-        if (key === `${userData.own.uuid} true 0`) copy.emissive.setRGB(...color); // the translucent one
-      }
+      this.materials.get(`${userData.own.uuid} true 0`)?.emissive.setRGB(...color); // the translucent copy
     }
   }
 
