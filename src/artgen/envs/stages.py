@@ -1,8 +1,8 @@
 """Stages of the manipulation tasks: which joints of an asset a hand moves, by which contacts, and how far."""
 
 import re
-from collections.abc import Callable, Iterator, Sequence
-from typing import Any, Literal
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from typing import Any, Literal, TypeVar
 
 import numpy as np
 
@@ -14,6 +14,7 @@ from artgen.envs.motion import BACK, FAR_BACK, ON, Contact, Move, Stage, contact
 from artgen.errors import EnvError, ParameterError, nearest
 from artgen.sampling.distributions import is_number
 
+T = TypeVar("T")
 Choice = tuple[Stage, ...]  # possible stages of a task on an asset
 Chooser = Callable[[Asset, np.random.Generator], Iterator[Choice]]  # all choices, in random order
 
@@ -100,7 +101,7 @@ def found(asset: Asset, part: str, kind: str, joint_kind: str, *, free: bool = T
     return result
 
 
-def _shuffled(items: list[Affordance], rng: np.random.Generator) -> list[Affordance]:
+def _shuffled(items: list[T], rng: np.random.Generator) -> list[T]:
     return [items[index] for index in rng.permutation(len(items))]
 
 
@@ -155,8 +156,7 @@ def by_lever(part: str, goal: float, until: float, *, pushes: bool = False) -> C
             keys = [each for each in asset.affordances if set(each.joints[:1]) & _needed(lever)]
             if moved is None or (_needed(lever) and not keys):
                 continue
-            before, motion = grasp.frame[:3, 3], moved.motion(0.1)
-            if pushes and (motion[:3, :3] @ before + motion[:3, 3] - before) @ grasp.frame[:3, 2] <= 0.0:
+            if pushes and _forward(moved, grasp, 0.0, 0.1) <= 0.0:
                 continue  # the hand would pull
             first = [_turn(asset, key, lever.name) for key in keys[:1]]
             highest = np.inf if moved.limits is None else moved.limits[1]
@@ -185,8 +185,8 @@ def by_output(part: str = "") -> Chooser:
                 f"asset {asset.name!r} of category {asset.category!r} has no output {part!r}; it has these: "
                 f"{have}. Draw it with one, as the task's own generate(seed) does"
             )
-        for index in rng.permutation(len(outputs)):
-            yield from _switched_on(asset, outputs[index], rng)
+        for output in _shuffled(outputs, rng):
+            yield from _switched_on(asset, output, rng)
 
     return choose
 
@@ -224,14 +224,12 @@ def _controls(asset: Asset, hands: Sequence[Affordance], q: Array) -> Iterator[t
     positions = asset.positions(dict(zip(asset.dof_names, q.tolist(), strict=True)))
     for each in hands:
         joint = asset.joint(each.joints[0])
-        needed = [] if each.when is None else [each.when]
-        needed += [] if joint.needs is None else [joint.needs.condition]
-        if joint.limits is None or not all(condition.holds(positions) for condition in needed):
+        if not _moves(joint, positions) or not (each.when is None or each.when.holds(positions)):
             continue
-        for end in joint.limits:
+        for end in joint.limits or ():
             little = joint.closed + 0.01 * (end - joint.closed)
-            moved = ((joint.motion(little) - joint.motion(joint.closed)) @ each.frame[:, 3])[:3]
-            if end != joint.closed and (each.kind == "grasp" or moved @ each.frame[:3, 2] > 0.0):
+            forward = each.kind == "grasp" or _forward(joint, each, joint.closed, little) > 0.0
+            if end != joint.closed and forward:
                 yield each, end
 
 
@@ -249,6 +247,17 @@ def _goal(asset: Asset, output: str, before: Sequence[Array], hand: Affordance, 
         return None
     first = int(np.argmax(on))
     return float(way[first + 1] if first < len(way) - 2 else way[first])
+
+
+def _forward(joint: AssetJoint, affordance: Affordance, start: float, end: float) -> float:
+    """Return the way along which a hand follows its own approach while a joint moves [m]."""
+    moved = (joint.motion(end) - joint.motion(start)) @ affordance.frame[:, 3]
+    return float(moved[:3] @ affordance.frame[:3, 2])
+
+
+def _moves(joint: AssetJoint, positions: Mapping[str, float]) -> bool:
+    """Tell whether a joint with limits is free to move from closed, given the positions of all joints."""
+    return joint.limits is not None and (joint.needs is None or joint.needs.condition.holds(positions))
 
 
 def _needed(joint: AssetJoint) -> set[str]:
@@ -340,10 +349,9 @@ def _free_grasps(asset: Asset, links: Sequence[str], what: str) -> list[Affordan
     rest = asset.positions()
     result = []
     for each in asset.affordances:
-        if each.kind == "grasp" and each.link in links and each.joints:
-            joint = asset.joint(each.joints[0])
-            if joint.limits is not None and (joint.needs is None or joint.needs.condition.holds(rest)):
-                result.append(each)
+        grasped = each.kind == "grasp" and each.link in links and each.joints
+        if grasped and _moves(asset.joint(each.joints[0]), rest):
+            result.append(each)
     if not result:
         raise EnvError(f"asset {asset.name!r} has no {what} that a hand can grasp; take another seed")
     return result

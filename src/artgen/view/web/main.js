@@ -184,14 +184,14 @@ class Viewer {
     this.symbols.mark(null);
     this.symbols.follow(poses, positions);
     this.panel.update(positions, blocked);
-    this.work();
+    this.work(positions);
     this.studio.redraw({ moved: true });
   }
 
   /** Computes the outputs after the time that went by, and lets materials shine. */
-  work() {
+  work(positions = this.kinematics.positions(this.q)) {
     const [now, before] = [performance.now(), this.values];
-    this.values = this.controller.step(this.kinematics.positions(this.q), (now - this.clock) / 1000);
+    this.values = this.controller.step(positions, (now - this.clock) / 1000);
     this.clock = now;
     if (before && this.data.outputs.every(({ name }) => before[name] === this.values[name])) return;
     this.model.shine(this.data.outputs, this.values);
